@@ -90,11 +90,15 @@ double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
   double shortest = 1e-12 * (to - begin);
   double step = to - begin;
   const bool turns = angle.sine > 0.0 && angle.cosine > 0.0;
-  if (turns && length_ > 0.0) step = std::min(0.5 * step, std::max(before / length_, shortest));
+  if (turns && length_ > 0.0) step = std::min(0.5 * step, before / length_);
   bool ends = false;
+  int steps = 0;
   while (tau < to && !ends) {
-    // A limit that wears towards 0, with ever shorter steps, must not take for ever.
-    if (++steps_ > kMostPieces) shortest = std::max(shortest, 0.1 * (to - begin));
+    // No piece is known to need a quarter as many.
+    if (++steps > kMostPieces) {
+      converged_ = false;
+      shortest = std::max(shortest, 0.1 * (to - begin));
+    }
     step = std::max(std::min(step, to - tau), std::min(shortest, to - tau));
     const double aim = step >= to - tau ? to : tau + step;
     double next = piece_ ? piece_->end_of(way, tau, aim, kSamples) : aim;

@@ -157,7 +157,6 @@ class ExactWalk {
   double contact_scale_ = 0.0;  ///< of F_N [F]
   bool must_slip_ = false;      ///< stick has met the radius
   bool must_stick_ = false;     ///< slip has come to rest
-  int steps_ = 0;
   bool converged_ = true;
   RegimeChanges* changes_;
 };
