@@ -19,6 +19,8 @@ constexpr double kLeftAtZero = 1e-13;
 
 /// A viscous force at rest this part of the limit beyond it has been moved there.
 constexpr double kMoved = 1e-10;
+/// So near behind the begin of a piece nothing is looked for.
+constexpr double kSoonest = 1e-13;
 
 /// The rate of the slip at the begin of a piece is known to this part: a piece that begins so near
 /// to a corner begins on it.
@@ -187,8 +189,11 @@ void SubIncrements::begin(const SlipPoint& at, double tau) noexcept {
     return value(*potential_, trial) <=
            limit(to, {trial, at.accumulated_slip}, 0.0).force * (1.0 + slack);
   };
-  // Something may push it on, however slowly.
-  at_rest_ = is_within(tau, kTouching) && is_within(tau + 0.125 * (1.0 - tau), kMoved);
+  at_rest_ = is_within(tau, kTouching);
+  // Something may push it on, however slowly, and for a short time only.
+  for (double ahead = 0.125 * (1.0 - tau); at_rest_ && ahead > kSoonest; ahead *= 0.125) {
+    at_rest_ = is_within(tau + ahead, kMoved);
+  }
 }
 
 bool SubIncrements::beyond(const SlipPoint& at, double tau) noexcept {

@@ -207,11 +207,7 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
     return step;
   }
   if (definition->formulation || law::no_continuous_solution(*definition)) return {};
-  law::PathSegment segment =
-      law::path_segment(*definition, increment, ambient(from.begin), {from.begin.force});
-  segment.begin_blend.weight = from.begin_blend;
-  segment.begin_stick = from.begin_stick;
-  segment.begin_wrap_angle = from.begin_wrap_angle;
+  const law::PathSegment segment = law_segment(*definition, from);
   const double motion = length(law::motion_in(definition->slip, increment));
   const double fastest = increment.duration > 0.0 ? motion / increment.duration : 0.0;
   law::SegmentPoints points(*definition, segment, motion);

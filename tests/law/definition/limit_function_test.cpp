@@ -43,6 +43,24 @@ TEST_CASE("a contact force that wears through 0 presses again from there on") {
   CHECK(limit.next_knot(1.0, 2.0) == Approx(1.5).epsilon(1e-15));
 }
 
+TEST_CASE("wear by the slip before the increment has no knot in it") {
+  FrictionDefinition definition = wearing(ConstantCoefficient{0.3});
+  const ConnectorIncrement increment = lasting(1.0, 1.0);
+  CHECK(LimitFunction(definition, increment, {}, 0.0).next_knot(0.0, 10.0) == 2.0);
+  definition.accumulated_slip = AccumulatedSlipTiming::kStart;
+  CHECK(LimitFunction(definition, increment, {}, 0.0).next_knot(0.0, 10.0) > 10.0);
+}
+
+TEST_CASE("the largest value in a piece is looked for inside of its ends, and in the middle") {
+  const auto inside = [](double x) { return x > 1.0 && x < 3.0; };
+  const auto largest = [&](auto value) {
+    return largest_inside(1.0, 3.0, 0.0, [&](double x) { return inside(x) ? value(x) : 9.0; });
+  };
+  CHECK(largest([](double x) { return 3.0 - x; }) == Approx(2.0));
+  CHECK(largest([](double x) { return x - 1.0; }) == Approx(2.0));
+  CHECK(largest([](double x) { return 1.0 - std::abs(x - 2.0); }) == Approx(1.0));
+}
+
 TEST_CASE("a knot that rounding leaves just ahead is passed") {
   for (int i = 1; i < 200; ++i) {
     const double force = -0.01 * i;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "law/friction/law_list.hpp"
 #include "tests/support/exact_run.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"
@@ -954,6 +955,74 @@ TEST_CASE("a belt is followed through both sides of its band") {
     run.go(point(-0.2, -50.0), count);
     CHECK(run.state.regime == Regime::kOpen);
   }
+}
+
+TEST_CASE("slip that ends slowly, early in an increment, goes on until then") {
+  // F_lim = 2e-5 N^3, N = 100 (1 + t), over k du/dt = 61 N: the limit rises faster from
+  // N = 100 sqrt(61/60) on, t = 0.0083. With next to no viscosity, which changes nothing.
+  FrictionDefinition definition = pressed();
+  definition.law = GeneralizedViscous{.c2 = 1e-12, .c4 = 2e-5, .area = 1.0};
+  ExactRun run(definition, at(0.0, 100.0));
+  run.go(at(0.05, 100.0));
+  run.go(at(0.111, 200.0));
+  const double end = std::sqrt(61.0 / 60.0);
+  const double slip = 0.061 * (end - 1.0) - 0.02 * (end * end * end - 1.0);
+  CHECK(run.last.slip_increment == Approx(slip).margin(1e-7 * 0.02));
+  CHECK(run.last.state.regime == Regime::kStick);
+}
+
+TEST_CASE("a coefficient on its floor is that of a contact, however small") {
+  // mu = N/1000 - 0.1, on its floor of 1e-30 below 100 N: the slip goes on there.
+  FrictionDefinition definition = pressed();
+  definition.law = GeneralizedViscous{.fric = -0.1, .c1 = 1e-3, .area = 1.0};
+  ExactRun run(definition, at(0.0, 200.0));
+  run.go(at(0.3, 200.0));
+  CHECK(run.friction(1) == Approx(20.0));
+  run.go(at(1.3, 50.0));
+  CHECK(run.state.accumulated_slip == Approx(1.3).epsilon(1e-12));
+  run.go(at(1.4, 60.0));
+  CHECK(run.state.accumulated_slip == Approx(1.4).epsilon(1e-12));
+  CHECK(run.state.regime == Regime::kSlip);
+}
+
+TEST_CASE("a coefficient that only motion gives holds, whatever the time") {
+  // 0 up to a rate of 1, 0.5 at the rate 2 of the motion.
+  for (const double duration : {0.1, 1.0, 10.0}) {
+    CAPTURE(duration);
+    FrictionDefinition definition = slider(0.0, 100.0, allowable_slip(0.01));
+    definition.law = TabularCoefficient{make_function({{0, 1}, {0.5, 2}}, {kOverSlipRate})};
+    ExactRun run(definition);
+    Waypoint end = at(2.0 * duration);
+    end.duration = duration;
+    run.go(end);
+    CHECK(run.friction(1) == Approx(50.0));
+    CHECK(run.state.accumulated_slip == Approx(2.0 * duration - 0.01));
+  }
+}
+
+TEST_CASE("a small force under a coefficient over the rate of the slip has a direction") {
+  FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1000.0), {1, 2});
+  definition.law = TabularCoefficient{make_function({{0.002, 0}, {0.004, 1}}, {kOverSlipRate})};
+  ExactRun run(definition);
+  run.go(at(0.3, 0.0, 0.4));
+  CHECK(run.last.state.force[0] == Approx(0.6 * 0.3).epsilon(1e-6));
+  CHECK(run.last.direction[0] == Approx(0.6));
+  CHECK(run.last.direction[1] == Approx(0.8));
+}
+
+TEST_CASE("wear under a coefficient over the contact force is followed to its end") {
+  // F_N = 100 - 50 L, mu = 0.1 + 0.002 F_N: L + F_lim(L)/k = u is a quadratic.
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
+  definition.internal_contact_force = make_function({{100, 0}, {50, 1}}, {kOverAccumulatedSlip});
+  definition.law = TabularCoefficient{make_function({{0.1, 0}, {0.4, 150}}, {kOverContactForce})};
+  ExactRun run(definition);
+  run.go(at(0.8));
+  // F_lim = 30 - 25 L + 5 L^2.
+  const double b = 1.0 - 0.025;
+  const double c = 0.03 - 0.8;
+  const double slip = -2.0 * c / (b + std::sqrt(b * b - 4.0 * 0.005 * c));
+  CHECK(run.state.accumulated_slip == Approx(slip).epsilon(1e-13));
+  CHECK(run.friction(1) == Approx(1000.0 * (0.8 - slip)).epsilon(1e-11));
 }
 
 TEST_CASE("what has no continuous solution is known beforehand") {
