@@ -457,6 +457,15 @@ double ExactWalk::slip_at_constant_radius(double from, double to) noexcept {
     enter_piece(way, from, to);
     to = piece_->end_of(way, from, to, kSamples);
   }
+  if (fixed_ && !(constant_ && !wears_)) {
+    // Constant at rest need not be constant on the way: wear may begin at the top of a parabola.
+    for (const double part : {0.25, 0.5, 0.75}) {
+      const LimitPoint at = way(from + part * (to - from));
+      if (limit(at.tau, at.accumulated_slip - begin_slip_).force != limit(from, slip_).force) {
+        return slip_at_varying_radius(from, to);
+      }
+    }
+  }
   note(Regime::kSlip, from);
   const double travel = length_ * (to - from);
   const double slip = segment_slip(begin, travel, r);

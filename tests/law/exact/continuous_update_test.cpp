@@ -1025,6 +1025,20 @@ TEST_CASE("wear under a coefficient over the contact force is followed to its en
   CHECK(run.friction(1) == Approx(1000.0 * (0.8 - slip)).epsilon(1e-11));
 }
 
+TEST_CASE("wear that begins where the limit is largest over the contact force takes it down") {
+  // F_N = 100 - 50 L, mu = 0.4 - 0.002 F_N: F_lim = 20 - 5 L^2, flat where the slip begins.
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
+  definition.internal_contact_force = make_function({{100, 0}, {50, 1}}, {kOverAccumulatedSlip});
+  definition.law = TabularCoefficient{make_function({{0.4, 0}, {0.1, 150}}, {kOverContactForce})};
+  ExactRun run(definition);
+  run.go(at(0.02));
+  run.go(at(0.8));
+  // L + F_lim(L)/k = u.
+  const double slip = 2.0 * 0.78 / (1.0 + std::sqrt(1.0 - 4.0 * 0.005 * 0.78));
+  CHECK(run.state.accumulated_slip == Approx(slip).epsilon(1e-13));
+  CHECK(run.friction(1) == Approx(20.0 - 5.0 * slip * slip).epsilon(1e-11));
+}
+
 TEST_CASE("what has no continuous solution is known beforehand") {
   FrictionDefinition falling = slider(0.0, 100.0, fixed_stiffness(1000.0));
   falling.law = ExponentialDecay{0.3, 0.2, 0.05};

@@ -405,6 +405,7 @@ TEST_CASE("with both tensions given the belt sticks strictly between the two rat
   increment.force[0] = 0.0;
   CHECK(judged(0.0).state.regime == Regime::kOpen);
   CHECK(judged(1.0).state.regime == Regime::kSlip);
+  CHECK(capstan_utilisation(judged(0.0), pi) == 0.0);
 }
 
 }  // namespace
