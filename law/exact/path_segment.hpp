@@ -22,7 +22,7 @@ struct PathSegment {
   Ambient begin;                  ///< CP, CCU, temperature, fields at the begin
   ConnectorForce begin_force;     ///< constraint forces at the begin, after a jump there
   CoefficientBlend begin_blend;   ///< of the definition, at the begin
-  double begin_stick = 1.0;       ///< StickStiffness::value at the begin
+  double begin_stick = 1.0;       ///< allowable elastic slip at the begin [L], if there is one
   double begin_wrap_angle = 0.0;  ///< of a Capstan, at the begin
   /// Of a definition whose contact force names free components (`kinetic->pressing`), or an elastic
   /// belt, else null: what presses there. Their forces do not go straight: `begin_force` and
@@ -131,8 +131,11 @@ class SegmentPoints {
 
   /// The tau asked for last.
   double at() const { return tau_; }
-  /// StickStiffness::value at tau.
-  double stick(double tau) const { return mix(tau, segment_.begin_stick, definition_.stick.value); }
+  /// StickStiffness::value at tau: a stiffness is that of the whole segment.
+  double stick(double tau) const {
+    if (definition_.stick.mode == StickStiffness::Mode::kStiffness) return definition_.stick.value;
+    return mix(tau, segment_.begin_stick, definition_.stick.value);
+  }
 
  private:
   /// The forces of the free components that press, at the point: CEF of its displacements, and CVF
