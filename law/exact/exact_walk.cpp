@@ -89,7 +89,8 @@ ExactWalk::ExactWalk(const FrictionDefinition& definition, const PathSegment& se
     }
   }
   if (!constant_ || wears_ || by_rate_) {
-    piece_.emplace(definition, segment, points_, largest_slip_, contact_scale_);
+    piece_.emplace(definition, segment, points_, begin_slip_, largest_slip_ - begin_slip_,
+                   contact_scale_);
   }
 }
 
@@ -169,7 +170,8 @@ double ExactWalk::slip_between(double tau, double sum, double low, double high) 
     (here > 0.0 ? high : low) = x;
     const double step = here / (1.0 + l.to_slip / stick);
     double next = x - step;
-    if (next >= low && next <= high && std::abs(step) <= kEpsilon * sum) return next;
+    const bool inside = next >= low && next <= high;
+    if (inside && std::abs(step) <= kEpsilon * sum) return next;
     if (!(next > low && next < high)) next = low + 0.5 * (high - low);
     if (next == x || high - low <= 2.0 * kEpsilon * high) break;
     x = next;

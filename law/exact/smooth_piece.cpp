@@ -9,6 +9,8 @@ namespace {
 
 /// Part of a quantity's size that is rounding.
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+/// A rate of the slip stands on a corner from this part of the corner's own rate on.
+constexpr double kSlowSlack = 1e-3;
 
 const TableFunction* table_of(const InternalContactForce& internal) {
   return std::get_if<TableFunction>(&internal);
@@ -48,7 +50,8 @@ void SmoothPiece::for_each_table(Visit visit) const noexcept {
 }
 
 SmoothPiece::SmoothPiece(const FrictionDefinition& definition, const PathSegment& segment,
-                         SegmentPoints& points, double largest_slip, double contact_size) noexcept
+                         SegmentPoints& points, double begin_slip, double most_slip,
+                         double contact_size) noexcept
     : definition_(definition), segment_(segment), points_(points) {
   for_each_table([&](const TableFunction& table, int displacement) {
     for (const Independent& independent : table.independents()) {
@@ -75,6 +78,7 @@ SmoothPiece::SmoothPiece(const FrictionDefinition& definition, const PathSegment
   if (table_of(definition.internal_contact_force) != nullptr) add(Kind::kInternal);
 
   // What its rounding is measured by, and whether it moves at all.
+  const double largest_slip = begin_slip + most_slip;
   std::array<bool, kMost> moves{};
   Values first{};
   for (const double tau : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -97,7 +101,7 @@ SmoothPiece::SmoothPiece(const FrictionDefinition& definition, const PathSegment
       if (slides) quantity.size = largest_slip;
       if (kind == IndependentKind::kContactForce) quantity.size = contact_size;
       if (kind == IndependentKind::kSlipRate && segment.increment.duration > 0.0) {
-        quantity.size = std::max(quantity.size, largest_slip / segment.increment.duration);
+        quantity.size = std::max(quantity.size, most_slip / segment.increment.duration);
       }
       fixed =
           !slides && kind != IndependentKind::kContactForce && kind != IndependentKind::kSlipRate;
@@ -189,17 +193,36 @@ void SmoothPiece::for_each_corner(const Quantity& quantity, double value,
   }
 }
 
+double SmoothPiece::slack(const Quantity& quantity, double corner, double rate_slack) noexcept {
+  const double rounding = kRounding * quantity.size;
+  const bool is_rate =
+      quantity.kind == Kind::kArgument && quantity.independent.kind == IndependentKind::kSlipRate;
+  if (!is_rate && quantity.kind != Kind::kUncapped && quantity.kind != Kind::kCoefficient) {
+    return rounding;
+  }
+  const double most = rate_slack * quantity.size;
+  // What a slow slip does must not be lost in the rounding of a fast one.
+  return std::max(is_rate && corner > 0.0 ? std::min(most, kSlowSlack * corner) : most, rounding);
+}
+
+bool SmoothPiece::keeps(const Values& values, double rate_slack) const noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Quantity& quantity = quantities_[i];
+    if (values[i] < quantity.low - slack(quantity, quantity.low, rate_slack) ||
+        values[i] > quantity.high + slack(quantity, quantity.high, rate_slack)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void SmoothPiece::enter(const Values& here, const Values& ahead, double rate_slack) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     Quantity& quantity = quantities_[i];
-    const bool by_rate = quantity.kind == Kind::kUncapped || quantity.kind == Kind::kCoefficient ||
-                         (quantity.kind == Kind::kArgument &&
-                          quantity.independent.kind == IndependentKind::kSlipRate);
-    const double slack = quantity.size * (by_rate ? std::max(rate_slack, kRounding) : kRounding);
     quantity.low = -std::numeric_limits<double>::infinity();
     quantity.high = std::numeric_limits<double>::infinity();
     for_each_corner(quantity, here[i], [&](double corner) {
-      const bool on_it = std::abs(here[i] - corner) <= slack;
+      const bool on_it = std::abs(here[i] - corner) <= slack(quantity, corner, rate_slack);
       const bool above = on_it && ahead[i] != corner ? ahead[i] > corner : here[i] >= corner;
       double& edge = above ? quantity.low : quantity.high;
       edge = above ? std::max(edge, corner) : std::min(edge, corner);

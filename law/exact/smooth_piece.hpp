@@ -31,10 +31,12 @@ class SmoothPiece {
   using Values = std::array<double, kMost>;
 
   /// \param points of the same definition and segment; kept, as the others are
-  /// \param largest_slip no accumulated slip of the segment is above it [L]
+  /// \param begin_slip accumulated slip at the begin [L]
+  /// \param most_slip no slip of the segment is above it [L]
   /// \param contact_size |F_C| and F_int at their largest, added [F]
   SmoothPiece(const FrictionDefinition& definition, const PathSegment& segment,
-              SegmentPoints& points, double largest_slip, double contact_size) noexcept;
+              SegmentPoints& points, double begin_slip, double most_slip,
+              double contact_size) noexcept;
 
   /// The quantities at a point.
   Values values(const LimitPoint& point) noexcept;
@@ -43,6 +45,9 @@ class SmoothPiece {
   /// \param rate_slack what follows the rate of the slip stands on a corner that it is so near to,
   /// as a part of its size
   void enter(const Values& here, const Values& ahead, double rate_slack = 0.0) noexcept;
+
+  /// Tells whether no value is outside of the piece, by more than its rounding or `rate_slack`.
+  bool keeps(const Values& values, double rate_slack) const noexcept;
 
   /// Distance to the nearest corner as a part of the size of its quantity, at most 1; negative
   /// outside of the piece, by more than rounding.
@@ -82,6 +87,8 @@ class SmoothPiece {
   void for_each_corner(const Quantity& quantity, double value, Visit visit) const noexcept;
   double value(const Quantity& quantity, const LimitPoint& point, const Limit& limit) noexcept;
   double reserve(std::size_t i, double value) const noexcept;
+  /// Distance from a corner within which a value stands on it.
+  static double slack(const Quantity& quantity, double corner, double rate_slack) noexcept;
   bool may_turn_beyond(std::size_t i, double before, double value, double after) const noexcept;
 
   const FrictionDefinition& definition_;

@@ -92,10 +92,8 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
   const double held =
       std::sqrt(dot(fixed_ ? old.force : old.elastic_slip, fixed_ ? old.force : old.elastic_slip)) /
       (fixed_ ? definition.stick.value : 1.0);
-  piece_.emplace(
-      definition, segment, points_,
-      old.accumulated_slip + 2.0 * (length_ + held + (fixed_ ? 0.0 : points_.stick(1.0))),
-      no_contact_);
+  piece_.emplace(definition, segment, points_, old.accumulated_slip,
+                 2.0 * (length_ + held + (fixed_ ? 0.0 : points_.stick(1.0))), no_contact_);
   no_contact_ *= ends_where_contact_turns() ? kNoContact : 0.0;
   least_ = value(*potential_, SlipVector{});
   closed_ = !fixed_ && potential_->homogeneous;
@@ -144,7 +142,7 @@ bool SubIncrements::stays(const LimitPoint& point) noexcept {
 }
 
 bool SubIncrements::keeps_rate(const LimitPoint& end) noexcept {
-  return !by_rate_ || piece_->reserve(piece_->values(end)) >= -kRateSlack;
+  return !by_rate_ || piece_->keeps(piece_->values(end), kRateSlack);
 }
 
 SlipVector SubIncrements::force(const SlipPoint& at, double tau, double slip_rate) noexcept {

@@ -891,6 +891,20 @@ TEST_CASE("a dip of the limit is seen behind a begin at which the limit is as ne
   }
 }
 
+TEST_CASE("a shifted potential with an allowable elastic slip slips at its two limits") {
+  // |y - 1| = 20 at 21 and at -19 N.
+  FrictionDefinition definition = pressed({1}, allowable_slip(0.02));
+  definition.criterion = shifted_by_one();
+  ExactRun run(definition, at(0.0, 100.0));
+  run.go(at(0.3, 100.0));
+  CHECK(run.friction(1) == Approx(21.0));
+  run.go(at(0.0, 100.0));
+  CHECK(run.friction(1) == Approx(-19.0));
+  run.go(at(-0.3, 100.0), 3);
+  CHECK(run.friction(1) == Approx(-19.0));
+  CHECK(run.state.regime == Regime::kSlip);
+}
+
 TEST_CASE("a shifted potential loses its grip where the limit comes down to its value at rest") {
   // P = |y - 1|: a limit of 1 holds no more than the force 0.
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
@@ -997,6 +1011,27 @@ TEST_CASE("a coefficient that only motion gives holds, whatever the time") {
     run.go(end);
     CHECK(run.friction(1) == Approx(50.0));
     CHECK(run.state.accumulated_slip == Approx(2.0 * duration - 0.01));
+  }
+}
+
+TEST_CASE("corners at small rates are seen whatever the rate and the slip of the past") {
+  // 20 N to the rate 1, 30 N from the rate 3 on, on the way of the rate to v.
+  FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1000.0));
+  definition.law = TabularCoefficient{make_function({{0.2, 1}, {0.3, 3}}, {kOverSlipRate})};
+  struct Motion {
+    double rate, accumulated_slip;
+  };
+  for (const auto& [rate, before] : {Motion{1e3, 0.0}, Motion{1e3, 1e6}, Motion{1e8, 0.0}}) {
+    CAPTURE(rate, before);
+    // F' = k (v - 1 - (F - 20)/5) for the time t: F = 20 + 5 (v - 1) (1 - exp(-200 t)).
+    const double t = -std::log1p(-2.0 / (rate - 1.0)) / 200.0;
+    const double between = rate * (20.0 * t + 5.0 * ((rate - 1.0) * t - 2.0 / 200.0));
+    ExactRun run(definition);
+    run.state.accumulated_slip = before;
+    Waypoint end = at(1.0);
+    end.duration = 1.0 / rate;
+    run.go(end);
+    CHECK(run.work == Approx(0.2 + between + 30.0 * (0.98 - rate * t)).epsilon(1e-8));
   }
 }
 
