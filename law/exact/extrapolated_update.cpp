@@ -36,8 +36,9 @@ constexpr std::array kSamples{0.0, 0.25, 0.5, 0.75, 1.0};
 constexpr double kFirst = 1e-4;
 /// An error below this one that a shorter piece does not lessen is rounding.
 constexpr double kRounding = 1e-10;
-/// Attempts after which rounding is in the way and pieces are taken as they are.
-constexpr int kMostAttempts = 100000;
+/// Sub-increments after which a segment is given up: some thousand corners take as many, or a
+/// second or two.
+constexpr int kMostSubIncrements = 500000;
 
 /// A piece of the segment, as its sub-increments have it.
 struct Run {
@@ -86,13 +87,13 @@ class Pieces {
     bool fresh = true;  // nothing is known yet of how fast the force turns
     double error = std::numeric_limits<double>::infinity();  // of the last piece tried here
     if (steps_.beyond(at_, 0.0)) cross(kSameFraction);       // the limit has jumped below the force
-    for (int attempt = 0; tau_ < 1.0; ++attempt) {
-      // Rounding that flickers about an event must not hold the walk up.
-      double shortest = kSameFraction * std::pow(4.0, std::clamp(flickers - 2, 0, 18));
-      if (attempt > kMostAttempts) {
+    while (tau_ < 1.0) {
+      if (taken_ > kMostSubIncrements) {
         converged_ = false;
-        shortest = 1e-3;
+        return cross(1.0);
       }
+      // Rounding that flickers about an event must not hold the walk up.
+      const double shortest = kSameFraction * std::pow(4.0, std::clamp(flickers - 2, 0, 18));
       if (event <= 1.0 && event - tau_ <= shortest) {
         converged_ = converged_ && event - tau_ <= kLongestCrossing;
         cross(event);
@@ -199,6 +200,7 @@ class Pieces {
       for (int i = 1; i <= count; ++i) {
         const double next = i == count ? to : from + (to - from) * i / count;
         result.last = steps_.step(point, tau, next);
+        ++taken_;
         if (i == 1 && count == 1) {
           common = result.last.signature;
           if (!begins(result.last, from, to)) {
@@ -456,6 +458,7 @@ class Pieces {
   double lost_ = 0.0;
   double jump_onset_ = 0.0;
   int jumps_ = 0;
+  int taken_ = 0;  ///< sub-increments
   bool converged_ = true;
   bool negative_ = false;  ///< F_C + F_int
   Regime regime_;

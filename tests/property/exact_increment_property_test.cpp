@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Increments of random cases at which exact integration once went wrong, or at which a change of it
-// that no other test sees does. Both numbers of the difference test went the same wrong way; but
-// their results depended on the tolerance, or on the number of increments.
+// Exact integration over increments of any size and unit, random ones and those that once went
+// wrong: the results depend neither on the tolerance nor on the number of increments, in which both
+// numbers of the difference test may go the same wrong way.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,10 +11,12 @@
 #include <utility>
 #include <variant>
 
+#include "law/definition/motion.hpp"
 #include "law/exact/continuous_update.hpp"
 #include "tests/difference/any_case.hpp"
 #include "tests/difference/law_increment.hpp"
 #include "tests/difference/one_step.hpp"
+#include "tests/support/dice.hpp"
 
 namespace {
 
@@ -92,6 +94,15 @@ struct KeptIncrement {
   law::FrictionState old;
 };
 
+/// Tells whether seeds draw what they drew when they were kept.
+bool draws_what_was_kept() {
+#ifdef __clang__
+  return false;  // of a call with two draws it makes the other one first (Dice)
+#else
+  return seed_of_the_night() == 0;
+#endif
+}
+
 KeptIncrement increment_of(const Kept& kept) {
   const AnyCase any = any_case(kept.seed, Way::kExact);
   std::span<const double> packed(any.definition);
@@ -105,6 +116,7 @@ KeptIncrement increment_of(const Kept& kept) {
 }
 
 TEST_CASE("exact results do not depend on the tolerance beyond it") {
+  if (!draws_what_was_kept()) return;  // other cases are drawn
   // A coefficient on its floor at rest, or that comes to it, which was taken for a limit that is
   // gone; and a slip that ends slowly, which was taken to have ended.
   for (const Kept& kept :
@@ -123,6 +135,7 @@ TEST_CASE("exact results do not depend on the tolerance beyond it") {
 }
 
 TEST_CASE("exact results do not depend on the number of increments") {
+  if (!draws_what_was_kept()) return;  // other cases are drawn
   // With events that are located in many pieces; a slip that ends slowly; a potential with terms
   // that pull or do not. A coefficient that sees the rate of the slip under a constant stiffness is
   // held to kViscousExactness, in some pieces each.
@@ -143,9 +156,65 @@ TEST_CASE("exact results do not depend on the number of increments") {
   }
 }
 
-TEST_CASE("an increment that cannot be followed to its end is told not to be") {
-  const auto [definition, increment, old] = increment_of({30290101001198, 4});
-  CHECK_FALSE(in_parts(definition, increment, old, 1, kExactness).converged);
+/// The largest difference of two ends of an increment, as a part of its limit and of its motion and
+/// elastic slip.
+double difference(const law::FrictionDefinition& definition, const PlainIncrement<double>& from,
+                  const law::FrictionState& old, const Result& a, const Result& b) {
+  double force =
+      law::continuous_update(definition, law_segment(definition, from), old, kExactness).limit;
+  double apart = 0.0;
+  for (std::size_t i = 0; i < law::kComponents; ++i) {
+    force = std::max(force, std::abs(old.force[i]));
+    apart = std::max(apart, std::abs(a.state.force[i] - b.state.force[i]));
+  }
+  const bool fixed = definition.stick.mode == law::StickStiffness::Mode::kStiffness;
+  const double elastic =
+      fixed ? force / definition.stick.value : std::max(definition.stick.value, from.begin_stick);
+  double way = elastic;
+  for (const double u : law::motion_in(definition.slip, law_increment(from))) way += std::abs(u);
+  const double slip = way > 0.0 ? std::abs(a.slip - b.slip) / way : 0.0;
+  if (!(force * way > 0.0)) return slip;
+  const double work = std::abs(a.work) + std::abs(b.work) + force * way;
+  return std::max({apart / force, slip, std::abs(a.work - b.work) / work});
+}
+
+TEST_CASE("random increments of any size end alike as a whole and in three parts") {
+  int increments = 0;
+  int apart = 0;
+  for (std::uint64_t seed = 20261127000000; increments < 1000; ++seed) {
+    const AnyCase any = any_case(seed, Way::kExact);
+    std::span<const double> packed(any.definition);
+    const auto definition = law::unpack(packed);
+    REQUIRE(definition);
+    if (definition->formulation || law::no_continuous_solution(*definition)) continue;
+    law::FrictionState old;
+    for (std::size_t i = 0; i < any.increments.size(); ++i) {
+      const PlainIncrement<double>& increment = any.increments[i];
+      const Result whole = in_parts(*definition, increment, old, 1, kExactness);
+      const Result parts = in_parts(*definition, increment, old, 3, kExactness);
+      if (!whole.converged || !parts.converged) break;  // counted by the difference test
+      ++increments;
+      const double by = difference(*definition, increment, old, whole, parts);
+      if (by > 1e-5) {
+        ++apart;
+        UNSCOPED_INFO("seed " << seed << ", increment " << i + 1 << ": " << by);
+      }
+      old = whole.state;
+    }
+  }
+  // A limit that drops at the begin of an increment 1e14 times as long as its viscosity needs, and
+  // corners that continuous_update does not meet: one increment in some thousands.
+  CHECK(apart <= 1);
+}
+
+TEST_CASE("an increment that cannot be followed to its end is told not to be, within seconds") {
+  if (!draws_what_was_kept()) return;  // other cases are drawn
+  // The second came on by 1e-8 of itself at a time, without end.
+  for (const Kept& kept : {Kept{30290101001198, 4}, Kept{20261136437237, 6}}) {
+    CAPTURE(kept.seed, kept.increment);
+    const auto [definition, increment, old] = increment_of(kept);
+    CHECK_FALSE(in_parts(definition, increment, old, 1, kExactness).converged);
+  }
 }
 
 }  // namespace
