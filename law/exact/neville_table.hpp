@@ -17,9 +17,9 @@ struct PieceSums {
   double work = 0.0;         ///< [F L]
 };
 
-/// The table of Aitken and Neville over 1, 2, 3, ... equal sub-increments of a piece (Hairer,
-/// Norsett, Wanner, Solving Ordinary Differential Equations I, II.9): sums whose error is a series
-/// in the length of the sub-increments are extrapolated to the length 0. The last row is kept.
+/// The table of Aitken and Neville over 1, 2, 3, ... equal sub-increments of a piece (Deuflhard
+/// 1983; theory 11.9): sums whose error is a series in the length of the sub-increments are
+/// extrapolated to the length 0. The last row is kept.
 class NevilleTable {
  public:
   static constexpr int kMostRows = 8;
