@@ -71,8 +71,9 @@ ExactWalk::ExactWalk(const FrictionDefinition& definition, const PathSegment& se
       regime_(old.regime),
       changes_(changes) {
   const double held = std::sqrt(begin.square());
-  const double most = fixed_ ? held : std::max(definition.stick.value, segment.begin_stick);
-  largest_slip_ = begin_slip_ + length + held + most;
+  const double most_slip =
+      length + held + (fixed_ ? held : std::max(points_.stick(0.0), points_.stick(1.0)));
+  largest_slip_ = begin_slip_ + most_slip;
   for (const double tau : {0.0, 0.5, 1.0}) {
     const ConnectorIncrement& at = points_.increment(tau);
     contact_scale_ =
@@ -89,8 +90,7 @@ ExactWalk::ExactWalk(const FrictionDefinition& definition, const PathSegment& se
     }
   }
   if (!constant_ || wears_ || by_rate_) {
-    piece_.emplace(definition, segment, points_, begin_slip_, largest_slip_ - begin_slip_,
-                   contact_scale_);
+    piece_.emplace(definition, segment, points_, begin_slip_, most_slip, contact_scale_);
   }
 }
 
@@ -460,7 +460,7 @@ double ExactWalk::slip_at_constant_radius(double from, double to) noexcept {
     to = piece_->end_of(way, from, to, kSamples);
   }
   if (fixed_ && !(constant_ && !wears_)) {
-    // Constant at rest need not be constant on the way: wear may begin at the top of a parabola.
+    // Constant at rest need not be constant on the way: a small slope rounds to 0.
     for (const double part : {0.25, 0.5, 0.75}) {
       const LimitPoint at = way(from + part * (to - from));
       if (limit(at.tau, at.accumulated_slip - begin_slip_).force != limit(from, slip_).force) {
