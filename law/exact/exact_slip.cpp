@@ -94,7 +94,7 @@ double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
   bool ends = false;
   int steps = 0;
   while (tau < to && !ends) {
-    // No piece is known to need a quarter as many.
+    // No piece is known to need a third as many.
     if (++steps > kMostPieces) {
       converged_ = false;
       shortest = std::max(shortest, 0.1 * (to - begin));

@@ -36,8 +36,8 @@ constexpr std::array kSamples{0.0, 0.25, 0.5, 0.75, 1.0};
 constexpr double kFirst = 1e-4;
 /// An error below this one that a shorter piece does not lessen is rounding.
 constexpr double kRounding = 1e-10;
-/// Sub-increments after which a segment is given up: some thousand corners take as many, or a
-/// second or two.
+/// Sub-increments after which a segment is given up: those of some thousand corners, in a second
+/// or two.
 constexpr int kMostSubIncrements = 500000;
 
 /// A piece of the segment, as its sub-increments have it.

@@ -201,7 +201,7 @@ double SmoothPiece::slack(const Quantity& quantity, double corner, double rate_s
     return rounding;
   }
   const double most = rate_slack * quantity.size;
-  // What a slow slip does must not be lost in the rounding of a fast one.
+  // The slack of a fast slip would hide the corners of a slow one.
   return std::max(is_rate && corner > 0.0 ? std::min(most, kSlowSlack * corner) : most, rounding);
 }
 

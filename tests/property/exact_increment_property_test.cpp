@@ -30,18 +30,16 @@ struct Kept {
   std::size_t increment;
 };
 
-double between(double a, double b, double part) { return part < 1.0 ? a + part * (b - a) : b; }
-
 End between(const End& a, const End& b, double part) {
   End end;
   for (std::size_t i = 0; i < 6; ++i) {
-    end.position[i] = between(a.position[i], b.position[i], part);
-    end.motion[i] = between(a.motion[i], b.motion[i], part);
-    end.force[i] = between(a.force[i], b.force[i], part);
+    end.position[i] = std::lerp(a.position[i], b.position[i], part);
+    end.motion[i] = std::lerp(a.motion[i], b.motion[i], part);
+    end.force[i] = std::lerp(a.force[i], b.force[i], part);
   }
-  end.temperature = between(a.temperature, b.temperature, part);
+  end.temperature = std::lerp(a.temperature, b.temperature, part);
   for (std::size_t i = 0; i < end.fields.size(); ++i) {
-    end.fields[i] = between(a.fields[i], b.fields[i], part);
+    end.fields[i] = std::lerp(a.fields[i], b.fields[i], part);
   }
   return end;
 }
@@ -68,15 +66,15 @@ Result in_parts(const law::FrictionDefinition& definition, const PlainIncrement<
     const double end = static_cast<double>(i) / count;
     from.begin = between(whole.begin, whole.end, begin);
     from.end = between(whole.begin, whole.end, end);
-    from.begin_blend = between(whole.begin_blend, definition.blend.weight, begin);
-    from.begin_stick = between(whole.begin_stick, definition.stick.value, begin);
-    from.begin_wrap_angle = between(whole.begin_wrap_angle, wrap_angle, begin);
-    here.blend.weight = between(whole.begin_blend, definition.blend.weight, end);
+    from.begin_blend = std::lerp(whole.begin_blend, definition.blend.weight, begin);
+    from.begin_stick = std::lerp(whole.begin_stick, definition.stick.value, begin);
+    from.begin_wrap_angle = std::lerp(whole.begin_wrap_angle, wrap_angle, begin);
+    here.blend.weight = std::lerp(whole.begin_blend, definition.blend.weight, end);
     // A stiffness is that of the whole increment.
     if (here.stick.mode == law::StickStiffness::Mode::kElasticSlip) {
-      here.stick.value = between(whole.begin_stick, definition.stick.value, end);
+      here.stick.value = std::lerp(whole.begin_stick, definition.stick.value, end);
     }
-    if (belt != nullptr) belt->wrap_angle = between(whole.begin_wrap_angle, wrap_angle, end);
+    if (belt != nullptr) belt->wrap_angle = std::lerp(whole.begin_wrap_angle, wrap_angle, end);
     const auto update =
         law::continuous_update(here, law_segment(here, from), result.state, tolerance);
     result.state = update.state;
@@ -192,18 +190,19 @@ TEST_CASE("random increments of any size end alike as a whole and in three parts
       const PlainIncrement<double>& increment = any.increments[i];
       const Result whole = in_parts(*definition, increment, old, 1, kExactness);
       const Result parts = in_parts(*definition, increment, old, 3, kExactness);
-      if (!whole.converged || !parts.converged) break;  // counted by the difference test
       ++increments;
+      const bool converged = whole.converged && parts.converged;
       const double by = difference(*definition, increment, old, whole, parts);
-      if (by > 1e-5) {
+      if (by > 1e-5 || !converged) {
         ++apart;
-        UNSCOPED_INFO("seed " << seed << ", increment " << i + 1 << ": " << by);
+        UNSCOPED_INFO("seed " << seed << ", increment " << i + 1 << ": " << by << ' ' << converged);
       }
+      if (!converged) break;
       old = whole.state;
     }
   }
   // A limit that drops at the begin of an increment 1e14 times as long as its viscosity needs, and
-  // corners that continuous_update does not meet: one increment in some thousands.
+  // corners that continuous_update does not meet, and what it gives up: one in some thousands.
   CHECK(apart <= 1);
 }
 

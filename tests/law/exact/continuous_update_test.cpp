@@ -1046,32 +1046,28 @@ TEST_CASE("a small force under a coefficient over the rate of the slip has a dir
 }
 
 TEST_CASE("wear under a coefficient over the contact force is followed to its end") {
-  // F_N = 100 - 50 L, mu = 0.1 + 0.002 F_N: L + F_lim(L)/k = u is a quadratic.
-  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
-  definition.internal_contact_force = make_function({{100, 0}, {50, 1}}, {kOverAccumulatedSlip});
-  definition.law = TabularCoefficient{make_function({{0.1, 0}, {0.4, 150}}, {kOverContactForce})};
-  ExactRun run(definition);
-  run.go(at(0.8));
-  // F_lim = 30 - 25 L + 5 L^2.
-  const double b = 1.0 - 0.025;
-  const double c = 0.03 - 0.8;
-  const double slip = -2.0 * c / (b + std::sqrt(b * b - 4.0 * 0.005 * c));
-  CHECK(run.state.accumulated_slip == Approx(slip).epsilon(1e-13));
-  CHECK(run.friction(1) == Approx(1000.0 * (0.8 - slip)).epsilon(1e-11));
-}
-
-TEST_CASE("wear that begins where the limit is largest over the contact force takes it down") {
-  // F_N = 100 - 50 L, mu = 0.4 - 0.002 F_N: F_lim = 20 - 5 L^2, flat where the slip begins.
-  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
-  definition.internal_contact_force = make_function({{100, 0}, {50, 1}}, {kOverAccumulatedSlip});
-  definition.law = TabularCoefficient{make_function({{0.4, 0}, {0.1, 150}}, {kOverContactForce})};
-  ExactRun run(definition);
-  run.go(at(0.02));
-  run.go(at(0.8));
-  // L + F_lim(L)/k = u.
-  const double slip = 2.0 * 0.78 / (1.0 + std::sqrt(1.0 - 4.0 * 0.005 * 0.78));
-  CHECK(run.state.accumulated_slip == Approx(slip).epsilon(1e-13));
-  CHECK(run.friction(1) == Approx(20.0 - 5.0 * slip * slip).epsilon(1e-11));
+  // F_N = 100 - 50 L: F_lim = a + b L + c L^2, and L + F_lim(L)/k = u. With mu = 0.1 + 0.002 F_N,
+  // and with 0.4 - 0.002 F_N, flat where the slip begins.
+  struct Wear {
+    Rows mu;
+    double a, b, c;
+  };
+  for (const Wear& wear : {Wear{{{0.1, 0}, {0.4, 150}}, 30.0, -25.0, 5.0},
+                           Wear{{{0.4, 0}, {0.1, 150}}, 20.0, 0.0, -5.0}}) {
+    FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
+    definition.internal_contact_force = make_function({{100, 0}, {50, 1}}, {kOverAccumulatedSlip});
+    definition.law = TabularCoefficient{make_function(wear.mu, {kOverContactForce})};
+    const double b = 1.0 + wear.b / 1000.0;
+    const double c = wear.a / 1000.0 - 0.8;
+    const double slip = -2.0 * c / (b + std::sqrt(b * b - 4.0 * wear.c / 1000.0 * c));
+    for (const bool rests : {false, true}) {  // on the limit, before the slip
+      ExactRun run(definition);
+      if (rests) run.go(at(wear.a / 1000.0));
+      run.go(at(0.8));
+      CHECK(run.state.accumulated_slip == Approx(slip).epsilon(1e-13));
+      CHECK(run.friction(1) == Approx(wear.a + slip * (wear.b + slip * wear.c)).epsilon(1e-11));
+    }
+  }
 }
 
 TEST_CASE("what has no continuous solution is known beforehand") {
