@@ -28,6 +28,8 @@ constexpr double kNearLetGo = 1e-6;
 /// Distance behind the end of a piece at which it is seen to go on alike; what lets go within is
 /// the square of that.
 constexpr double kBeyond = 1e-7;
+/// A slip of this part of the elastic slip is seen; a slow one takes longer for it.
+constexpr double kSeen = 1e-13;
 /// A limit below this part of the segment's is that of an instant without one.
 constexpr double kNoLimit = 1e-11;
 /// Places at which the segment's limit is looked at for its size.
@@ -76,7 +78,9 @@ class Pieces {
     negative_ = steps_.limit(0.0, at_, 0.0).contact_force < 0.0;
     elastic_ = steps_.fixed() ? scale_ / steps_.stick(1.0) : steps_.stick(1.0);
     const double length = steps_.length();
-    first_ = length > 0.0 ? std::clamp(kFirst * elastic_ / length, 1e-9, 1e-2) : 1e-4;
+    // What is viscous turns by itself, however little moves.
+    const double most = steps_.viscous() ? 1e-2 : 1.0;
+    first_ = length > 0.0 ? std::clamp(kFirst * elastic_ / length, 1e-9, most) : 1e-4;
   }
 
   void run() noexcept {
@@ -241,9 +245,17 @@ class Pieces {
     if (common.regime != Regime::kSlip || to - from <= 10.0 * kBeyond) return true;
     SlipPoint end{run.end.held, at_.accumulated_slip + run.end.slip};
     steps_.settle(common.regime, to, run.end.slip_rate, &end);
-    const Signature beyond = steps_.step(end, to, to + kBeyond).signature;
-    return beyond.regime == Regime::kSlip && !lets_go(common, beyond) &&
-           steps_.keeps_rate(steps_.point(to, end, run.end.slip_rate));
+    if (!steps_.keeps_rate(steps_.point(to, end, run.end.slip_rate))) return false;
+    // A shift may leave a limit far below the force.
+    const double held =
+        std::sqrt(dot(end.held, end.held)) / (steps_.fixed() ? steps_.stick(to) : 1.0);
+    const double seen = kSeen * std::max(elastic_, held);
+    if (run.end.slip < 10.0 * seen) return true;  // next to nothing, wherever it ends
+    const double rate = run.end.slip_rate;
+    const double longest = 0.1 * (to - from);
+    const double ahead = rate * longest > seen ? seen / rate : longest;
+    const Signature beyond = steps_.step(end, to, to + std::max(ahead, kBeyond)).signature;
+    return beyond.regime == Regime::kSlip && !lets_go(common, beyond);
   }
 
   /// Tells whether a step lets go of a term that the one before it pulls on, or holds at 0.

@@ -12,12 +12,22 @@ import tempfile
 
 SLIPBENCH, CASES = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 # Cases of which fewer come back in all digits than today, or more are refused, are a loss.
-SAME_AT_LEAST = {"radioss": 190, "lsdyna": 190, "opensees": 173, "table": 118}
+SAME_AT_LEAST = {"radioss": 190, "lsdyna": 190, "opensees": 173, "table": 167}
 REFUSED_AT_MOST = {"radioss": 49, "lsdyna": 33, "opensees": 59, "table": 46}
+# A constant that is read from a table is another sum in the last digits, and exact integration sums
+# up more of them.
+ROUNDED = {"table": 1e-11}
 # Points of tables are set to 1e-4 of the largest coefficient; rates that fall with slip double it.
 TABLE = 1e-3
 # What is not in a deck may change as much as it likes, if it is told.
 TOLD = ("force_limit", "dependence on", "viscous penalty", "filter", "stick stiffness", "changes of friction")
+
+
+def same(found, part):
+    """Tells whether forces and dissipation of both cases are apart by no more than a part of them."""
+    work = found["dissipation"]
+    return (found["force_most"] <= part * found["force_largest"]
+            and abs(work - found["other_dissipation"]) <= part * abs(work))
 
 
 def main():
@@ -43,9 +53,8 @@ def main():
                 found = told["on_the_history"]
                 if "force_most" not in found:
                     counts["not run"] += 1
-                    if "too often" not in found["text"]:
-                        faults.append(f"{program} {case.stem}: {found['text']}")
-                elif found["force_most"] == 0.0 and found["dissipation"] == found["other_dissipation"]:
+                    faults.append(f"{program} {case.stem}: {found['text']}")
+                elif same(found, ROUNDED.get(program, 0.0)):
                     counts["in all digits"] += 1
                 else:
                     off = found["force_most"] > TABLE * found["force_largest"]

@@ -985,6 +985,51 @@ TEST_CASE("slip that ends slowly, early in an increment, goes on until then") {
   CHECK(run.last.state.regime == Regime::kStick);
 }
 
+TEST_CASE("slip that is slow beside the motion goes on to the end of an increment") {
+  // The limit rises by 2 N; the motion is that of the elastic slip and a part of 0.02 mm more.
+  FrictionDefinition fixed = pressed();
+  fixed.criterion = criteria_of_one().back().of;
+  FrictionDefinition viscous = pressed();
+  viscous.law = TabularCoefficient{make_function({{0.2, 0}}, {kOverSlipRate})};
+  FrictionDefinition elastic = pressed({1}, allowable_slip(0.02));
+  elastic.criterion = fixed.criterion;
+  for (const FrictionDefinition& definition : {fixed, viscous, elastic}) {
+    const bool follows = definition.stick.mode == StickStiffness::Mode::kStiffness;
+    for (double part = 1e-3; part > 1e-12; part /= 8.0) {
+      CAPTURE(follows, part);
+      const double slip = 0.02 * part;
+      ExactRun run(definition, at(0.0, 100.0));
+      run.go(at(0.05, 100.0));
+      run.go(at(0.05 + (follows ? 0.002 : 0.0) + slip, 110.0));
+      CHECK(run.last.converged);
+      // A viscous force so near to its limit rests, and is moved on later.
+      CHECK(run.last.slip_increment == Approx(slip).margin(1e-9 * 0.02));
+      CHECK(run.friction(1) == Approx(22.0).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("slip ends in any increment, however short") {
+  // F_lim = 2e-5 N^3, N = 100 (1 + t): it rises as fast as k du/dt = 61 N where `end` is passed.
+  FrictionDefinition definition = pressed();
+  definition.criterion = criteria_of_one().back().of;
+  definition.law = GeneralizedViscous{.c4 = 2e-5, .area = 1.0};
+  const double end = std::sqrt(61.0 / 60.0);
+  for (double length = 0.1; length > 1e-8; length /= 7.0) {
+    CAPTURE(length);
+    const double begin = end - 0.3 * length;
+    const double force = 20.0 * begin * begin * begin;
+    ExactRun run(definition, at(0.0, 100.0 * begin));
+    run.go(at(0.05, 100.0 * begin));
+    CHECK(run.friction(1) == Approx(force));
+    run.go(at(0.05 + 0.061 * length, 100.0 * (begin + length)));
+    const double slip = 0.061 * (end - begin) - (0.02 * end * end * end - 1e-3 * force);
+    CHECK(run.last.converged);
+    CHECK(run.last.slip_increment == Approx(slip).margin(1e-10 * 0.02));
+    CHECK(run.last.state.regime == Regime::kStick);
+  }
+}
+
 TEST_CASE("a coefficient on its floor is that of a contact, however small") {
   // mu = N/1000 - 0.1, on its floor of 1e-30 below 100 N: the slip goes on there.
   FrictionDefinition definition = pressed();
