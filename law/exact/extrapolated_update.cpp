@@ -38,6 +38,8 @@ constexpr std::array kSamples{0.0, 0.25, 0.5, 0.75, 1.0};
 constexpr double kFirst = 1e-4;
 /// An error below this one that a shorter piece does not lessen is rounding.
 constexpr double kRounding = 1e-10;
+/// Rounding of a limit as a part of its largest term, as extrapolation enlarges it.
+constexpr double kRoundedLimit = 100.0 * std::numeric_limits<double>::epsilon();
 /// Sub-increments after which a segment is given up: those of some thousand corners, in a second
 /// or two.
 constexpr int kMostSubIncrements = 500000;
@@ -68,14 +70,22 @@ class Pieces {
         regime_(old.regime),
         changes_(changes) {
     at_ = {steps_.fixed() ? old.force : old.elastic_slip, old.accumulated_slip};
+    double mu = 0.0;
     for (const double tau : kSamples) {
-      scale_ = std::max(scale_, steps_.limit(tau, {{}, begin_slip_}, 0.0).force);
+      Limit l = steps_.limit(tau, {{}, begin_slip_}, 0.0);
+      scale_ = std::max(scale_, l.force);
+      mu = std::max(mu, l.mu);
       // At rest a coefficient that follows the rate may be next to nothing.
-      if (steps_.by_rate()) scale_ = std::max(scale_, steps_.step(at_, 0.0, tau).limit.force);
+      if (!steps_.by_rate()) continue;
+      l = steps_.step(at_, 0.0, tau).limit;
+      scale_ = std::max(scale_, l.force);
+      mu = std::max(mu, l.mu);
     }
     // And a viscous force may outlive a limit that goes at once.
     if (steps_.viscous()) scale_ = std::max(scale_, value(steps_.potential(), at_.held));
     negative_ = steps_.limit(0.0, at_, 0.0).contact_force < 0.0;
+    // Where F_C + F_int comes to 0, the digits of the limit are those of its terms.
+    if (scale_ > 0.0) tolerance_ += kRoundedLimit * steps_.limit_size(mu) / scale_;
     elastic_ = steps_.fixed() ? scale_ / steps_.stick(1.0) : steps_.stick(1.0);
     const double length = steps_.length();
     // What is viscous turns by itself, however little moves.

@@ -83,18 +83,18 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
   if (potential_ == nullptr) potential_ = &norm_;
   for (const double tau : {0.0, 0.5, 1.0}) {
     const ConnectorIncrement& here = points_.increment(tau);
-    no_contact_ =
-        std::max(no_contact_, std::abs(evaluate(definition.contact_force, here.force, here.end)));
+    contact_size_ =
+        std::max(contact_size_, std::abs(evaluate(definition.contact_force, here.force, here.end)));
   }
   if (const auto* f = std::get_if<TableFunction>(&definition.internal_contact_force)) {
-    no_contact_ += f->table().largest();
+    contact_size_ += f->table().largest();
   }
   const double held =
       std::sqrt(dot(fixed_ ? old.force : old.elastic_slip, fixed_ ? old.force : old.elastic_slip)) /
       (fixed_ ? definition.stick.value : 1.0);
   piece_.emplace(definition, segment, points_, old.accumulated_slip,
-                 2.0 * (length_ + held + (fixed_ ? 0.0 : points_.stick(1.0))), no_contact_);
-  no_contact_ *= ends_where_contact_turns() ? kNoContact : 0.0;
+                 2.0 * (length_ + held + (fixed_ ? 0.0 : points_.stick(1.0))), contact_size_);
+  if (ends_where_contact_turns()) no_contact_ = kNoContact * contact_size_;
   least_ = value(*potential_, SlipVector{});
   closed_ = !fixed_ && potential_->homogeneous;
   const double half = 0.5 * potential_->exponent;

@@ -63,6 +63,8 @@ class SubIncrements {
     return points_.next_knot(tau, slip, end);
   }
   double cap() const { return definition_.force_limit; }
+  /// Returns the force [F] in whose last digits a limit `mu` F_N is known, however small it is.
+  double limit_size(double mu) const { return std::min(mu * contact_size_, cap()); }
 
   /// F_lim at the fraction tau, after the accumulated slip of `at` and at the slip per segment
   /// given [L]; of a belt that of the side which `at` holds a force on.
@@ -131,8 +133,9 @@ class SubIncrements {
   double length_;
   SegmentPoints points_;
   double inverse_duration_;
-  double least_;             ///< P(0): a limit has to exceed it
-  double no_contact_ = 0.0;  ///< F_N up to here is the rounding of F_C + F_int [F]
+  double least_;               ///< P(0): a limit has to exceed it
+  double contact_size_ = 0.0;  ///< F_C and a table of F_int at their largest [F]
+  double no_contact_ = 0.0;    ///< F_N up to here is the rounding of F_C + F_int [F]
   bool fixed_;
   bool closed_;
   bool smooth_;  ///< P is a sum of even powers of its leaves

@@ -1030,6 +1030,26 @@ TEST_CASE("slip ends in any increment, however short") {
   }
 }
 
+TEST_CASE("slip goes on where its limit is next to nothing of what it is the difference of") {
+  // F_N = F_C + 1000 N (1 - slip/mm) from 0.005 N on: the last digits of F_int are 2e-11 of that.
+  FrictionDefinition definition = pressed({1}, fixed_stiffness(1e8));
+  definition.criterion = criteria_of_one().back().of;
+  definition.contact_force = ComponentContactForce{2};
+  definition.internal_contact_force = make_function({{1000, 0}, {0, 1}}, {kOverAccumulatedSlip});
+  for (const double worn : {0.3, 0.5, 0.7}) {
+    CAPTURE(worn);
+    const double pull = 0.005 - 1000.0 * (1.0 - worn);
+    ExactRun run(definition, at(0.0, pull), 1e-9);
+    run.state.accumulated_slip = worn;
+    run.go(at(3e-6, pull));
+    // slip + 0.2 (0.005 - 1000 slip)/k = 3e-6
+    const double slip = (3e-6 - 1e-11) / (1.0 - 2e-6);
+    CHECK(run.last.converged);
+    CHECK(run.last.slip_increment == Approx(slip).epsilon(1e-9));
+    CHECK(run.friction(1) == Approx(0.2 * (0.005 - 1000.0 * slip)).epsilon(1e-8));
+  }
+}
+
 TEST_CASE("a coefficient on its floor is that of a contact, however small") {
   // mu = N/1000 - 0.1, on its floor of 1e-30 below 100 N: the slip goes on there.
   FrictionDefinition definition = pressed();
