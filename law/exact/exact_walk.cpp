@@ -42,7 +42,8 @@ bool is_constant(const FrictionDefinition& definition, const PathSegment& segmen
          std::equal(segment.begin.fields.begin(), segment.begin.fields.end(), to.end.fields.begin(),
                     to.end.fields.end()) &&
          segment.begin_blend.weight == definition.blend.weight &&
-         segment.begin_stick == definition.stick.value &&
+         (definition.stick.mode == StickStiffness::Mode::kStiffness ||
+          segment.begin_stick == definition.stick.value) &&
          (belt == nullptr || segment.begin_wrap_angle == belt->wrap_angle) &&
          segment.kinetic == nullptr && !depends_on_motion(definition);
 }
