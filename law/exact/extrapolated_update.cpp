@@ -42,7 +42,7 @@ constexpr double kRounding = 1e-10;
 constexpr double kRoundedLimit = 100.0 * std::numeric_limits<double>::epsilon();
 /// Sub-increments after which a segment is given up: those of some thousand corners, in a second
 /// or two.
-constexpr int kMostSubIncrements = 500000;
+constexpr int kMostSubIncrements = 400000;
 
 /// A piece of the segment, as its sub-increments have it.
 struct Run {
