@@ -28,8 +28,8 @@ covered() {
     shift
   done
   say "counting $name"
-  # It waits for ever where one of its workers fails; an assertion on where functions begin, which are not counted here, fails
-  # where an object file is older than its header.
+  # It waits for ever where one of its workers fails, as by its assertion that a function begins at one line, which says nothing of
+  # lines and branches.
   PYTHONOPTIMIZE=1 timeout 1200 gcovr --root . --object-directory build/coverage "${filters[@]}" -j "$(nproc)" --txt "build/coverage/$name.txt" --print-summary "${@:2}" build/coverage || missed+=("$name")
 }
 covered law law/ reference/ -- --fail-under-line 98

@@ -905,6 +905,22 @@ TEST_CASE("a shifted potential with an allowable elastic slip slips at its two l
   CHECK(run.state.regime == Regime::kSlip);
 }
 
+TEST_CASE("a force that turns under a shifted potential stays on its limit to the last digits") {
+  // |y - (1, 0)| = 20 N, with an elastic slip.
+  FrictionDefinition definition = pressed({1, 2}, allowable_slip(0.02));
+  Potential shifted = norm_of_two();
+  shifted.leaf[0].center = 1.0;
+  shifted.homogeneous = false;
+  definition.criterion = shifted;
+  ExactRun run(definition, at(0.0, 100.0), 1e-6);
+  run.go(at(0.3, 100.0));
+  CHECK(run.friction(1) == Approx(21.0));
+  for (const double turn : {0.01, 0.02, 0.05}) {
+    run.go(at(0.3, 100.0, turn));
+    CHECK(std::hypot(run.friction(1) - 1.0, run.friction(2)) == Approx(20.0).epsilon(1e-14));
+  }
+}
+
 TEST_CASE("a shifted potential loses its grip where the limit comes down to its value at rest") {
   // P = |y - 1|: a limit of 1 holds no more than the force 0.
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
@@ -1050,6 +1066,29 @@ TEST_CASE("slip goes on where its limit is next to nothing of what it is the dif
   }
 }
 
+TEST_CASE("slip of a short increment goes through a contact force of 0 of large terms") {
+  // F_N = |F_C + 1000 N (1 - slip/mm)| from 0.005 N down to 0 and up again.
+  FrictionDefinition definition = pressed({1}, fixed_stiffness(1e6));
+  definition.contact_force = ComponentContactForce{2};
+  definition.internal_contact_force = make_function({{1000, 0}, {0, 1}}, {kOverAccumulatedSlip});
+  for (const Criterion& criterion : criteria_of_one()) {
+    definition.criterion = criterion.of;
+    for (int i = 1; i < 40; ++i) {
+      const double worn = i / 40.0 + 0.003;
+      const double pull = 0.005 - 1000.0 * (1.0 - worn);
+      CAPTURE(worn, criterion.tolerance);
+      ExactRun run(definition, at(0.0, pull), 1e-9);
+      run.state.accumulated_slip = worn;
+      run.go(at(1.2e-5, pull));
+      CHECK(run.last.converged);
+      // slip + 0.2 (1000 slip - 0.005)/k = 1.2e-5 behind 0
+      const double slip = (1.2e-5 + 1e-9) / (1.0 + 2e-4);
+      CHECK(run.last.slip_increment == Approx(slip).epsilon(1e-8));
+      CHECK(run.friction(1) == Approx(0.2 * (1000.0 * slip - 0.005)).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("a coefficient on its floor is that of a contact, however small") {
   // mu = N/1000 - 0.1, on its floor of 1e-30 below 100 N: the slip goes on there.
   FrictionDefinition definition = pressed();
@@ -1079,22 +1118,24 @@ TEST_CASE("a coefficient that only motion gives holds, whatever the time") {
   }
 }
 
-TEST_CASE("corners at small rates are seen whatever the rate and the slip of the past") {
+TEST_CASE("corners at small rates are seen whatever the rate, its unit and the slip of the past") {
   // 20 N to the rate 1, 30 N from the rate 3 on, on the way of the rate to v.
-  FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1000.0));
-  definition.law = TabularCoefficient{make_function({{0.2, 1}, {0.3, 3}}, {kOverSlipRate})};
   struct Motion {
-    double rate, accumulated_slip;
+    double rate, accumulated_slip, unit;
   };
-  for (const auto& [rate, before] : {Motion{1e3, 0.0}, Motion{1e3, 1e6}, Motion{1e8, 0.0}}) {
-    CAPTURE(rate, before);
+  for (const auto& [rate, before, unit] : {Motion{1e3, 0.0, 1.0}, Motion{1e3, 1e6, 1.0},
+                                           Motion{1e8, 0.0, 1.0}, Motion{1e8, 0.0, 1e-6}}) {
+    CAPTURE(rate, before, unit);
+    FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1000.0));
+    definition.law =
+        TabularCoefficient{make_function({{0.2, unit}, {0.3, 3.0 * unit}}, {kOverSlipRate})};
     // F' = k (v - 1 - (F - 20)/5) for the time t: F = 20 + 5 (v - 1) (1 - exp(-200 t)).
     const double t = -std::log1p(-2.0 / (rate - 1.0)) / 200.0;
     const double between = rate * (20.0 * t + 5.0 * ((rate - 1.0) * t - 2.0 / 200.0));
     ExactRun run(definition);
     run.state.accumulated_slip = before;
     Waypoint end = at(1.0);
-    end.duration = 1.0 / rate;
+    end.duration = 1.0 / (rate * unit);
     run.go(end);
     CHECK(run.work == Approx(0.2 + between + 30.0 * (0.98 - rate * t)).epsilon(1e-8));
   }
