@@ -9,9 +9,8 @@
 namespace slipbench::law {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// R^2 - |s_el|^2 as a part of R^2 that is rounding: the state is on the radius.
-constexpr double kOnRadius = 64.0 * kEpsilon;
+constexpr double kOnRadius = 64.0 * std::numeric_limits<double>::epsilon();
 /// Distance ahead of an event at which it is judged what comes, as a part of what is left.
 constexpr double kAhead = 1e-9;
 /// Step of the difference quotients of R as a part of a smooth piece.

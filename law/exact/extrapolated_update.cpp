@@ -84,11 +84,11 @@ class Pieces {
     // And a viscous force may outlive a limit that goes at once.
     if (steps_.viscous()) scale_ = std::max(scale_, value(steps_.potential(), at_.held));
     negative_ = steps_.limit(0.0, at_, 0.0).contact_force < 0.0;
-    // Where F_C + F_int comes to 0, the digits of the limit are those of its terms.
+    // The digits of a limit are those of its terms, also where F_C + F_int comes to 0.
     if (scale_ > 0.0) tolerance_ += kRoundedLimit * steps_.limit_size(mu) / scale_;
     elastic_ = steps_.fixed() ? scale_ / steps_.stick(1.0) : steps_.stick(1.0);
     const double length = steps_.length();
-    // What is viscous turns by itself, however little moves.
+    // A viscous force turns by itself, however little moves.
     const double most = steps_.viscous() ? 1e-2 : 1.0;
     first_ = length > 0.0 ? std::clamp(kFirst * elastic_ / length, 1e-9, most) : 1e-4;
   }
