@@ -26,7 +26,7 @@ FARM = BUILD / "slipbench-mpi"
 # The ranks of a test may be more than the cores, and a container's user is root.
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_NUM_THREADS": "1"}
 MPIRUN = ["mpirun", "--oversubscribe", "--mca", "btl_vader_single_copy_mechanism", "none"]
-PATIENCE = float(os.environ.get("SLIPBENCH_PATIENCE", 1))  # of builds that take several times as long
+PATIENCE = int(os.environ.get("SLIPBENCH_PATIENCE", 1))  # builds that take as many times as long get fewer samples, and more time
 SYSTEM_PYTHON = "/usr/bin/python3"  # the one that Debian's packages are of
 
 
@@ -39,7 +39,7 @@ def run(*command, code=0, timeout=240):
 
 class Sweep(unittest.TestCase):
     """A sweep of samples that take long and short, and what one program makes of it."""
-    SAMPLES = 4000
+    SAMPLES = 4000 // PATIENCE
 
     @classmethod
     def setUpClass(cls):
@@ -67,7 +67,7 @@ class Sweep(unittest.TestCase):
 
 
 class Mpi(Sweep):
-    SAMPLES = 20000
+    SAMPLES = 20000 // PATIENCE
 
     def farm(self, ranks, out, **options):
         return run(*MPIRUN, "-n", ranks, FARM, "sweep", self.sweep, "-o", self.folder / out, **options)
@@ -82,16 +82,16 @@ class Mpi(Sweep):
         """Starts three ranks, and kills one when each has kept something."""
         begun = subprocess.Popen([*MPIRUN, "-n", "3", FARM, "sweep", self.sweep, "-o", out, *words], env=ENVIRONMENT,
                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        end = time.monotonic() + 60
+        end = time.monotonic() + 60 * PATIENCE
         while time.monotonic() < end:
             files = list(out.glob(f"fit.rank*.{kept}")) if out.exists() else []
-            if len(files) == 3 and all(path.stat().st_size > enough for path in files):
+            if len(files) == 3 and all(path.stat().st_size > enough // PATIENCE for path in files):
                 break
             time.sleep(0.002)
         victims = [process for process in pathlib.Path("/proc").glob("[0-9]*") if self.is_rank(process, out)]
         self.assertEqual(len(victims), 3)
         os.kill(int(victims[1].name), signal.SIGKILL)
-        self.assertNotEqual(begun.wait(60), 0)
+        self.assertNotEqual(begun.wait(60 * PATIENCE), 0)
 
     @staticmethod
     def is_rank(process, out):
@@ -109,7 +109,7 @@ class Mpi(Sweep):
         # A chunk of 128 samples with four numbers each; of every journal at most the last is not whole.
         record = 24 + 128 * 4 * 8 + 8
         whole = sum((len(journal) - 1000) // record for journal in journals)
-        self.assertGreater(whole, 10)
+        self.assertGreater(whole, 10 // PATIENCE)
         said = self.farm(4, "killed")
         recalled = int(re.search(r"by 4 ranks, (\d+) of the chunks from a run before", said)[1])
         self.assertGreaterEqual(recalled, whole)
@@ -211,7 +211,8 @@ class Example(Sweep):
         script.write_text(blocks[0])
         environment = {**ENVIRONMENT, "PATH": f"{BUILD}:{ENVIRONMENT['PATH']}"}
         shell = ["sh", "-e"] if language == "sh" else [SYSTEM_PYTHON]
-        done = subprocess.run([*shell, script], cwd=self.folder, env=environment, capture_output=True, text=True, timeout=240)
+        done = subprocess.run([*shell, script], cwd=self.folder, env=environment, capture_output=True, text=True,
+                              timeout=240 * PATIENCE)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(len(list(out.glob("fit.*of8.csv"))), 8)
         self.check(out)
