@@ -15,6 +15,7 @@
 
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/interruption.hpp"
+#include "driver/base/text/inputs_read.hpp"
 #include "driver/cli/declare.hpp"
 #include "driver/cli/faults.hpp"
 #include "driver/results/provenance.hpp"
@@ -104,6 +105,7 @@ int main(int argc, char** argv) {
   using namespace slipbench::driver::cli;
   fill_closed_streams();
   base::handle_interruption();
+  base::remember_inputs();
   try {
     return terminal::finish_output(run(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -104,7 +104,8 @@ tl::expected<base::OutputFile, Failure> create_file(const Writing& one,
                                   "slipbench: error: " + base::printable(one.curve.shown_name) +
                                       " is no golden curve any more; it is not overwritten\n"});
   }
-  auto file = base::OutputFile::create(one.curve.file, {}, {inputs, true});
+  auto file = base::OutputFile::create(one.curve.file, {},
+                                       {.inputs = inputs, .force = true, .renewed = true});
   if (!file) {
     return tl::unexpected(
         Failure{base::kExitEnvironment, "slipbench: error: " + file.error() + "\n"});

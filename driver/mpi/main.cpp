@@ -14,6 +14,7 @@
 
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/interruption.hpp"
+#include "driver/base/text/inputs_read.hpp"
 #include "driver/cli/declare.hpp"
 #include "driver/cli/faults.hpp"
 #include "driver/commands/arguments.hpp"
@@ -154,6 +155,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace slipbench::driver;
   base::handle_interruption();
+  base::remember_inputs();
   int threads = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &threads);
   int code = base::kExitInternal;

@@ -17,6 +17,7 @@
 #include <utility>
 #include <variant>
 
+#include "driver/base/files/output_file.hpp"
 #include "driver/base/files/sha256.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/hash.hpp"
@@ -130,6 +131,11 @@ tl::expected<std::unique_ptr<Journal>, std::string> Journal::open(const fs::path
                                                                   const Sweep& sweep,
                                                                   const std::string& identity,
                                                                   Use use) {
+  if (use != Use::kRead) {
+    if (std::string fault = base::input_fault(path, {}); !fault.empty()) {
+      return tl::unexpected(std::move(fault));
+    }
+  }
   std::unique_ptr<Journal> journal(new Journal(path, sweep));
   constexpr mode_t kReadWrite = 0666;
   const int how = use == Use::kRead ? O_RDONLY : O_RDWR | O_APPEND | O_CREAT;

@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "driver/base/text/inputs_read.hpp"
+
 namespace slipbench::driver::base {
 namespace {
 
@@ -40,6 +42,7 @@ tl::expected<void, HistoryError> LineReader::open(const std::filesystem::path& f
     return environment_error(name,
                              S_ISDIR(status.st_mode) ? "is a directory" : "is not a regular file");
   }
+  note_input(descriptor);
   buffer.resize(kBlock);
   return {};
 }

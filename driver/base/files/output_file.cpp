@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "driver/base/files/interruption.hpp"
+#include "driver/base/text/inputs_read.hpp"
 
 namespace slipbench::driver::base {
 namespace {
@@ -111,14 +112,20 @@ std::string random_suffix() {
   return text;
 }
 
+std::string input_sentence(const fs::path& target, const std::string& input = {}) {
+  return fmt::format("{}: is an input{} and is not overwritten; choose another name or folder",
+                     target.string(), input.empty() ? "" : " (" + input + ")");
+}
+
 /// The file at `place` that must stay, in a sentence, or nothing.
 std::string foreign_fault(const fs::path& target, const fs::path& place, const FileMark& mark,
-                          bool force) {
+                          bool force, bool renewed) {
   std::error_code ignored;
   const fs::file_status there = fs::status(place, ignored);
   if (fs::is_directory(there)) return fmt::format("{}: is a folder", target.string());
   if (!fs::exists(there)) return {};
   if (!fs::is_regular_file(there)) return fmt::format("{}: is no regular file", target.string());
+  if (!renewed && was_read(place)) return input_sentence(target);
   if (force || fs::file_size(place, ignored) == 0 || carries(place, mark)) return {};
   return fmt::format(
       "{}: {}, and is kept; choose another folder or name, or replace it with --force",
@@ -136,19 +143,19 @@ std::string obstacle(const fs::path& target, const fs::path& place, const FileMa
              place.native().size() >= PATH_MAX) {
     return fmt::format("{}: cannot be written: {}", target.string(), reason(ENAMETOOLONG));
   }
-  if (std::string fault = input_fault(target, overwriting.inputs); !fault.empty()) return fault;
-  return foreign_fault(target, place, mark, overwriting.force);
+  for (const std::string& input : overwriting.inputs) {
+    if (is_same_file(target, input)) return input_sentence(target, input);
+  }
+  return foreign_fault(target, place, mark, overwriting.force, overwriting.renewed);
 }
 
 }  // namespace
 
 std::string input_fault(const fs::path& target, std::span<const std::string> inputs) {
   for (const std::string& input : inputs) {
-    if (!is_same_file(target, input)) continue;
-    return fmt::format("{}: is an input ({}) and is not overwritten; choose another name or folder",
-                       target.string(), input);
+    if (is_same_file(target, input)) return input_sentence(target, input);
   }
-  return {};
+  return was_read(target) ? input_sentence(target) : std::string();
 }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
@@ -216,6 +223,7 @@ tl::expected<OutputFile, std::string> OutputFile::create(const fs::path& wanted,
   if (!fault.empty()) return tl::unexpected(std::move(fault));
   file.mark_ = mark;
   file.force_ = overwriting.force;
+  file.renewed_ = overwriting.renewed;
   if (!file.begin_unnamed()) {
     if (auto begun = file.begin_named(); !begun) return tl::unexpected(std::move(begun.error()));
   }
@@ -285,6 +293,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       error_(std::move(other.error_)),
       mark_(std::move(other.mark_)),
       force_(other.force_),
+      renewed_(other.renewed_),
       named_(std::exchange(other.named_, false)),
       placed_(other.placed_),
       descriptor_(std::exchange(other.descriptor_, -1)),
@@ -325,6 +334,12 @@ void OutputFile::flush() {
     left -= static_cast<std::size_t>(written);
   }
   buffer_.clear();
+}
+
+std::uintmax_t OutputFile::size() const {
+  std::error_code error;
+  const std::uintmax_t written = fs::file_size(temporary_, error);
+  return buffer_.size() + (error ? 0 : written);
 }
 
 void OutputFile::replace_start(std::string_view text) {
@@ -459,24 +474,37 @@ tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
     if (auto kept = file->to_disk(); !kept) return kept;
   }
   for (const OutputFile* file : files) {
-    std::string fault = foreign_fault(file->target_, file->place_, file->mark_, file->force_);
+    std::string fault =
+        foreign_fault(file->target_, file->place_, file->mark_, file->force_, file->renewed_);
     if (!fault.empty()) return tl::unexpected(std::move(fault));
   }
   std::set<fs::path> folders;
   for (const OutputFile* file : files) folders.insert(folder_of(file->place_));
   const InterruptionPause pause;
-  // Only a file that takes another's place needs a second name, which a kill may leave behind.
-  for (OutputFile* file : files) {
+  // Those behind the first make room before it is replaced, so that a program that is killed on the
+  // way leaves files of one set, never some of each.
+  std::vector<std::pair<fs::path, fs::path>> aside;
+  tl::expected<void, std::string> placed;
+  const auto make_room = [&](const OutputFile& file) -> tl::expected<void, std::string> {
     std::error_code ignored;
-    if (!fs::exists(fs::symlink_status(file->place_, ignored))) continue;
-    if (auto named = file->name_beside(); !named) return named;
-  }
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    auto placed = files[i]->take_place();
-    if (placed) continue;
-    for (std::size_t k = i; k-- > 0;) files[k]->give_back();
+    if (!fs::exists(fs::symlink_status(file.place_, ignored))) return {};
+    fs::path name = hidden_stem(file.place_).string() + random_suffix();
+    if (renameat2(AT_FDCWD, file.place_.c_str(), AT_FDCWD, name.c_str(), RENAME_NOREPLACE) != 0 &&
+        rename(file.place_.c_str(), name.c_str()) != 0) {
+      return tl::unexpected(file.fault(errno));
+    }
+    aside.emplace_back(std::move(name), file.place_);
+    return {};
+  };
+  for (std::size_t i = 1; i < files.size() && placed; ++i) placed = make_room(*files[i]);
+  std::size_t taken = 0;
+  for (; taken < files.size() && placed; ++taken) placed = files[taken]->take_place();
+  if (!placed) {
+    while (taken-- > 0) files[taken]->give_back();
+    for (const auto& [name, place] : aside) rename(name.c_str(), place.c_str());
     return placed;
   }
+  for (const auto& [name, place] : aside) unlink(name.c_str());
   for (OutputFile* file : files) {
     if (file->placed_ == OutputFile::Placed::kExchanged) unlink(file->temporary_.c_str());
     file->forget();

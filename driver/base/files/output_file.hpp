@@ -15,14 +15,15 @@ namespace slipbench::driver::base {
 /// Tells whether two names mean one file, be it there or not; links are followed.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Returns why `target` must not be written: it is one of the files that are read. A sentence, or
-/// nothing.
+/// Returns why `target` must not be written: it is one of the files that are read, or was read
+/// (inputs_read.hpp). A sentence, or nothing.
 std::string input_fault(const std::filesystem::path& target, std::span<const std::string> inputs);
 
 /// Files that a new one may take the place of, besides an empty file and one with its own mark.
 struct Overwriting {
   std::span<const std::string> inputs = {};  ///< never these, by whatever name
   bool force = false;                        ///< anything else, too
+  bool renewed = false;                      ///< one that was read before, too
 };
 
 /// Of a file that is read under its temporary name and then dropped.
@@ -97,6 +98,8 @@ class OutputFile {
   /// is written.
   tl::expected<void, std::string> need_name();
 
+  /// Bytes so far, those in the buffer among them.
+  std::uintmax_t size() const;
   /// The name it was asked for by.
   const std::filesystem::path& target() const { return target_; }
   const FileMark& mark() const { return mark_; }
@@ -131,6 +134,7 @@ class OutputFile {
   std::string error_;
   FileMark mark_;
   bool force_ = false;
+  bool renewed_ = false;
   bool named_ = false;  ///< the temporary path is a name in the folder
   /// State of the place: untouched, named anew, exchanged with the hidden name, or replaced.
   enum class Placed : unsigned char { kNot, kNew, kExchanged, kReplaced } placed_ = Placed::kNot;
@@ -139,10 +143,11 @@ class OutputFile {
 };
 
 /// Completes files that belong together, all or none: writes what is left, waits until it is on the
-/// disk, names all of them by hidden names and then renames one after the other. Two programs that
-/// complete files in one folder do so one after the other. The error is that of the first file that
-/// has one; then none is under its name, and what was there is there again (where the file system
-/// cannot exchange two names, what a renaming before it has replaced is gone).
+/// disk, gives what they replace, but for the first, hidden names and then names them one after the
+/// other. Two programs that complete files in one folder do so one after the other. A program that
+/// is killed on the way leaves files of the old set or of the new one, never of both. The error is
+/// that of the first file that has one; then none is under its name, and what was there is there
+/// again (where the file system cannot exchange two names, but for the first).
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files);
 /// The same for a caller that holds the locks of the files' folders already, to look at what is
 /// there before it is replaced.

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "driver/base/text/inputs_read.hpp"
 #include "driver/base/text/standard_input.hpp"
 
 namespace slipbench::driver::base {
@@ -22,6 +23,7 @@ tl::unexpected<HistoryError> failed(const char* what) {
 }
 
 tl::expected<std::filesystem::path, HistoryError> copy_to_memory() {
+  note_input(STDIN_FILENO);
   const int memory = ::memfd_create("stdin", MFD_CLOEXEC);
   if (memory < 0) return failed("cannot be kept in memory");
   std::vector<char> block(std::size_t{1} << 16U);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/inputs_read.hpp"
 #include "driver/base/text/standard_input.hpp"
 #include "driver/base/text/utf8.hpp"
 
@@ -198,6 +199,7 @@ SourcePosition SourceText::position(std::size_t offset, std::size_t length) cons
 
 tl::expected<SourceText, ReadError> read_source(const std::string& path, std::size_t size_limit) {
   if (path == kStandardInput) {
+    note_input(STDIN_FILENO);
     return read_all(STDIN_FILENO, source_name(path), 0, size_limit);
   }
   if (path.empty()) {
@@ -218,6 +220,7 @@ tl::expected<SourceText, ReadError> read_source(const std::string& path, std::si
     return failed(ReadFailure::kEnvironment, path,
                   fmt::format("is {}, not a file", kind_of_file(status.st_mode)));
   }
+  note_input(file.get());
   return read_all(file.get(), path, static_cast<std::size_t>(status.st_size), size_limit);
 }
 
