@@ -129,6 +129,12 @@ std::string fault_in(const CLI::App& app, const CLI::App& command, const CLI::Pa
 
 std::string fault_of_command(const CLI::App& app, std::span<const std::string_view> words) {
   if (words.empty()) return {};
+  for (const std::string_view word : words) {
+    if (base::printable(word) == word) continue;
+    return in_quotes(word) +
+           " holds control characters, marks that turn the direction of writing, or bytes that are "
+           "no UTF-8, which no name may; rename the file";
+  }
   const std::vector<std::string> commands = command_names(app);
   const std::string_view word = words.front();
   if (contains(commands, word) || contains(flags_of(app), flag_of(word))) return {};

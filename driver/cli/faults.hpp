@@ -14,7 +14,8 @@ class ParseError;
 namespace slipbench::driver::cli {
 
 /// The fault of words after the program's name that do not begin with a command or an option of
-/// the program; empty if they do.
+/// the program, or hold what could harm a terminal, a log or a script that is written; empty if
+/// there is none.
 std::string fault_of_command(const CLI::App& app, std::span<const std::string_view> words);
 
 /// Returns what parsing refused, and with which command's help to go on: two lines.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -79,6 +80,13 @@ std::string words_of(const SweepOptions& options) {
   return words;
 }
 
+/// A name of a job that is one plain word: Slurm reads it from a comment, where nothing quotes.
+std::string job_name(std::string name) {
+  std::ranges::replace_if(
+      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return name;
+}
+
 }  // namespace
 
 std::string shell_word(std::string_view word) {
@@ -125,7 +133,7 @@ int emit_slurm(const OpenSweep& open, const SweepOptions& options) {
                   "#SBATCH --open-mode=append\n"
                   "exec {} sweep {}{} -j 1 --part \"$SLURM_ARRAY_TASK_ID/{}\"\n",
                   file_name, samples, rate, tasks == 1 ? "1 task" : fmt::format("{} tasks", tasks),
-                  seconds, shell_word(name), tasks, shell_word(program()), words,
+                  seconds, job_name(name), tasks, shell_word(program()), words,
                   options.no_rows ? " --no-rows" : "", tasks));
   base::OutputFile* const files[] = {&*file};
   if (auto committed = base::commit(files); !committed) {

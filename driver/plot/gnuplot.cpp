@@ -31,11 +31,14 @@ tl::expected<void, PlotFailure> run_gnuplot(const fs::path& script_file) {
   std::string argument = script_file.string();
   std::string no_settings = "-d";  // of the user: they would change the picture
   std::array<char*, 4> arguments{program.data(), no_settings.data(), argument.data(), nullptr};
-  // Nor does the user's language change it, and the degree sign is one of UTF-8.
+  // Nor does the user's language or terminal change it, and the degree sign is one of UTF-8.
   std::string locale = "LC_ALL=C.UTF-8";
   std::vector<char*> environment;
   for (char** entry = environ; *entry != nullptr; ++entry) {
-    if (!std::string_view(*entry).starts_with("LC_ALL=")) environment.push_back(*entry);
+    const std::string_view variable(*entry);
+    if (!variable.starts_with("LC_ALL=") && !variable.starts_with("GNUTERM=")) {
+      environment.push_back(*entry);
+    }
   }
   environment.insert(environment.end(), {locale.data(), nullptr});
   posix_spawn_file_actions_t actions;
@@ -130,14 +133,19 @@ std::optional<fs::path> find_template(std::string_view name_of_template) {
 }
 
 std::string gnuplot_string(std::string_view text) {
-  std::string result = "'";
+  // It splits a text at two apostrophes that follow each other, doubled or not.
+  const char* const quote = text.find('\'') == text.npos ? "'" : "\"";
+  std::string result = quote;
   for (const char c : text) {
-    if (c == '\'') result += '\'';
+    if (*quote == '"' && std::string_view("'\"\\`").find(c) != std::string_view::npos) {
+      result += fmt::format("\\{:03o}", c);
+      continue;
+    }
     // gnuplot writes '>' into an SVG as it is, where "]]>" is no text.
     if (c == '>' && result.ends_with("]]")) result += ' ';
     result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
-  return result + "'";
+  return result + quote;
 }
 
 tl::expected<void, PlotFailure> draw_script(const std::string& script, const fs::path& picture,

@@ -31,8 +31,9 @@ std::string terminal_for(const std::filesystem::path& picture, const Canvas& can
 /// A template of plots/, as it is installed beside the program or in the source folder.
 std::optional<std::filesystem::path> find_template(std::string_view name);
 
-/// A text as a gnuplot string that shows it as it is: single quotes know no escapes, and the
-/// characters of the enhanced mode are text here.
+/// A text as a gnuplot string that shows it as it is: single quotes know no escapes, double ones
+/// are for texts with apostrophes, of which the characters that mean something are octal numbers.
+/// The characters of the enhanced mode are text here.
 std::string gnuplot_string(std::string_view text);
 
 /// Runs gnuplot on a script that writes `output`, and puts the picture in its place.

@@ -16,6 +16,7 @@
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/source_text.hpp"
 #include "driver/results/events.hpp"
+#include "driver/results/result_layout.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver::plot {
@@ -37,14 +38,6 @@ std::optional<int> status_of(std::string_view regime) {
   return static_cast<int>(found - kNames.begin());
 }
 
-/// Lines of a file that begin with '#', up to its header.
-std::set<std::string> comments_of(const fs::path& file) {
-  std::set<std::string> comments;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line) && line.starts_with('#');) comments.insert(line);
-  return comments;
-}
-
 std::optional<EventLine> read_event(std::string_view line) {
   std::array<std::string_view, 4> fields;
   for (std::string_view& field : fields) {
@@ -64,7 +57,7 @@ std::optional<EventLine> read_event(std::string_view line) {
 std::optional<std::vector<results::RegimeHistory>> read_events(const fs::path& file,
                                                                const fs::path& result,
                                                                const results::PlotData& data) {
-  const std::set<std::string> known = comments_of(result);
+  const std::set<std::string> known = results::comment_lines(result);
   std::ifstream in(file);
   if (!in) return std::nullopt;
   std::map<std::string, std::size_t, std::less<>> places;

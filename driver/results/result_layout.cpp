@@ -98,7 +98,7 @@ ResultLayout read_layout(const std::filesystem::path& file, std::span<const std:
   std::string line;
   while (in.peek() == '#' && std::getline(in, line)) {
     if (line.ends_with('\r')) line.pop_back();
-    line = base::out_of_cells(line);
+    line = base::printable(base::out_of_cells(line));
     std::string_view text = line;
     const std::string_view key = take(text, ": ");
     if (key == "# title") layout.title = std::string(text);
@@ -121,6 +121,13 @@ ResultLayout read_layout(const std::filesystem::path& file, std::span<const std:
     }
   }
   return layout;
+}
+
+std::set<std::string> comment_lines(const std::filesystem::path& file) {
+  std::set<std::string> lines;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line) && line.starts_with('#');) lines.insert(line);
+  return lines;
 }
 
 }  // namespace slipbench::driver::results

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -41,5 +42,9 @@ ResultLayout layout_of(const cases::Case& problem, std::span<const Column> colum
 /// The layout of a result file; `header` are its columns. A line that is missing leaves its part
 /// empty: any CSV has a layout.
 ResultLayout read_layout(const std::filesystem::path& file, std::span<const std::string> header);
+
+/// Lines of a file that begin with '#', up to its header. The events of a run have none that its
+/// rows have not.
+std::set<std::string> comment_lines(const std::filesystem::path& file);
 
 }  // namespace slipbench::driver::results

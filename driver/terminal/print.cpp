@@ -25,9 +25,11 @@ void note_output_error() {
 
 }  // namespace
 
-void print(std::string_view text) {
+void print(std::string_view text) { print_data(base::printable_lines(text)); }
+
+void print_data(std::string_view bytes) {
   errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) note_output_error();
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) note_output_error();
 }
 
 void flush_output() {
@@ -35,7 +37,9 @@ void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) note_output_error();
 }
 
-void print_error(std::string_view text) {
+void print_error(std::string_view text) { draw_line(base::printable_lines(text)); }
+
+void draw_line(std::string_view text) {
   flush_output();
   std::fwrite(text.data(), 1, text.size(), stderr);
 }

@@ -9,12 +9,16 @@
 namespace slipbench::driver::terminal {
 
 /// Everything written to standard output goes through here, so that `finish_output` knows whether
-/// it arrived.
+/// it arrived. What could harm a terminal, but for colours, is replaced (base::printable_lines).
 void print(std::string_view text);
+/// Prints what a program reads, piece by piece, as it is.
+void print_data(std::string_view bytes);
 /// Lets what was printed be seen now, while a long work runs.
 void flush_output();
-/// A message for standard error.
+/// A message for standard error, replaced likewise.
 void print_error(std::string_view text);
+/// Draws on the line of standard error that the cursor is in, by the terminal's own sequences.
+void draw_line(std::string_view text);
 /// "slipbench: error: ..." for standard error; returns `code`. What names and files are called
 /// cannot harm the terminal.
 int refuse(int code, std::string_view message);

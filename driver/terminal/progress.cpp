@@ -79,7 +79,7 @@ Progress::Progress(std::string what)
       terminal_(can_erase()) {}
 
 Progress::~Progress() {
-  if (shown_) print_error("\r\033[K");
+  if (shown_) draw_line("\r\033[K");
 }
 
 /// Tells whether it is time to draw the line.
@@ -92,7 +92,7 @@ bool Progress::due() {
 
 void Progress::draw(const std::string& text) {
   shown_ = true;
-  print_error("\r" + fitting(text, terminal_width()) + "\033[K");
+  draw_line("\r" + fitting(text, terminal_width()) + "\033[K");
 }
 
 void Progress::show(std::int64_t increment, double time) {
@@ -112,7 +112,7 @@ void Progress::hide() {
   if (!shown_) return;
   shown_ = false;
   next_ = Clock::now();
-  print_error("\r\033[K");
+  draw_line("\r\033[K");
 }
 
 void SharedProgress::done(bool well) {

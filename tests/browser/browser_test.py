@@ -699,8 +699,7 @@ def hostile():
         path = f"case_{i}.yaml"
         (folder / path).write_text(renamed(text, word))
         paths.append(path)
-    # Of the second the letters would end a terminal's line, colour it and turn what follows it around.
-    strange = ["<b>bold<b> & #@1", "\x01\x1b[31m\u202e<u>gpj"]
+    strange = ["<b>bold<b> & #@1", "%1b[31m<u>gpj"]
     for name in strange:
         (folder / f"{name}.yaml").write_text(text)
     with Page(report(*paths, *(f"{name}.yaml" for name in strange))) as page:

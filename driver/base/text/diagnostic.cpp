@@ -32,9 +32,10 @@ std::string_view word_for(Severity severity) {
 bool is_harmful(std::uint32_t c) {
   const bool control = c < 0x20 || (c >= 0x7F && c <= 0x9F);
   const bool line_break = c == 0x2028 || c == 0x2029;
-  const bool bidirectional =
-      (c >= 0x200E && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
-  return control || line_break || bidirectional || c == 0xFEFF;
+  const bool bidirectional = c == 0x061C || (c >= 0x200E && c <= 0x200F) ||
+                             (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
+  const bool no_character = c == 0xFFFE || c == 0xFFFF;  // which XML forbids
+  return control || line_break || bidirectional || c == 0xFEFF || no_character;
 }
 
 // The first byte after `count` code points.
@@ -202,7 +203,8 @@ std::optional<std::string_view> nearest_name(std::string_view word,
   if (word.empty() || word.size() > kLongestWord) return std::nullopt;
   std::optional<std::string_view> nearest;
   std::size_t least = 0;
-  for (const std::string_view candidate : candidates) {
+  for (const std::string_view candidate :
+       candidates.first(std::min(candidates.size(), kMostCandidates))) {
     const std::size_t d = name_distance(word, candidate);
     const std::size_t allowed = std::max(word.size(), candidate.size()) / 3;
     if (d <= allowed && (!nearest || d < least)) {
@@ -218,6 +220,25 @@ std::string in_words(std::span<const std::string_view> names, std::string_view c
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) result += i + 1 == names.size() ? fmt::format(" {} ", conjunction) : ", ";
     result += names[i];
+  }
+  return result;
+}
+
+std::string printable_lines(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    // What is plain, or is a colour, stays; the rest is printed as a part of a line is.
+    const auto plain = [](char c) { return (c >= ' ' && c < 0x7F) || c == '\n' || c == '\t'; };
+    auto end = static_cast<std::size_t>(std::ranges::find_if_not(text, plain) - text.begin());
+    if (text.substr(end).starts_with("\033[")) {
+      const std::size_t last = text.find_first_not_of("0123456789;", end + 2);
+      if (last != text.npos && text[last] == 'm') end = last + 1;
+    }
+    result += text.substr(0, end);
+    text.remove_prefix(end);
+    const std::size_t length = text.empty() ? 0 : decode_utf8(text).length;
+    result += printable(text.substr(0, length));
+    text.remove_prefix(length);
   }
   return result;
 }

@@ -102,6 +102,8 @@ class Diagnostics {
 /// overrides, bytes that are no UTF-8) shown as U+FFFD and each tab as one blank: as many code
 /// points out as in.
 [[nodiscard]] std::string printable(std::string_view text);
+/// The same of text of many lines: line feeds, tabs, and the sequences that colour it, stay.
+[[nodiscard]] std::string printable_lines(std::string_view text);
 
 /// The name of a column with an apostrophe before it if it begins with =, +, - or an at sign: a
 /// spreadsheet would take it for a formula.
