@@ -43,32 +43,28 @@ std::string run_progress_text(std::int64_t increments, double done, double secon
 Outlook::Outlook(const cases::Case& problem, std::filesystem::path folder)
     : case_(&problem), length_(problem), folder_(std::move(folder)), start_(Clock::now()) {}
 
-void Outlook::judge(const bench::Row& row, base::OutputFile* rows) {
+void Outlook::judge(const bench::Row& row, std::optional<std::uintmax_t> written) {
   const double done = length_.done(row);
   if (done <= 0.0) return;
   std::error_code error;
-  double written = 0.0;
-  if (rows != nullptr) {
-    const auto size = std::filesystem::file_size(rows->temporary(), error);
-    written =
-        static_cast<double>(rows->buffer().size()) + (error ? 0.0 : static_cast<double>(size));
-  }
-  const double bytes = written / done;
+  const auto so_far = static_cast<double>(written.value_or(0));
+  const double bytes = so_far / done;
   const double whole = seconds() / done;
   const double increments = static_cast<double>(row.index) / done;
   const std::string name = results::case_stem(*case_);
   const std::filesystem::path here = folder_.empty() ? "." : folder_;
   const auto space = std::filesystem::space(here, error);
-  if (!error && rows != nullptr && bytes - written > static_cast<double>(space.available)) {
+  if (!error && bytes - so_far > static_cast<double>(space.available)) {
     throw NoRoom{fmt::format(
-        "{}.csv would take some {}, and {} are free in {}; write fewer rows ('output: {{every: "
+        "the rows of {} would take some {}, and {} are free in {}; write fewer rows ('output: "
+        "{{every: "
         "N}}' or '--every N'), fewer columns ('output: {{columns: [..]}}') or '--no-output'",
         name, size_words(bytes), size_words(static_cast<double>(space.available)), here.string())};
   }
   if (whole < kPatience && bytes < kLargeFile) return;
   std::string text =
       fmt::format("{}: {:.3g} increments take some {}", name, increments, duration_words(whole));
-  if (rows != nullptr) text += fmt::format(" and {} of rows", size_words(bytes));
+  if (written) text += fmt::format(" and {} of rows", size_words(bytes));
   terminal::print_error(
       text + " ('output: {every: N}' writes fewer rows, Ctrl-C leaves nothing behind)\n");
 }

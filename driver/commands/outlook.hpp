@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
-#include "driver/base/files/output_file.hpp"
 #include "driver/bench/run_length.hpp"
 #include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
@@ -35,7 +35,7 @@ class Outlook {
   /// Cheap enough to be called whenever some rows are done. Throws NoRoom if the disk has less room
   /// than the rows need.
   /// \param row the last of them
-  /// \param rows gives the file with all of them so far; null for none
+  /// \param rows gives the bytes that all of them so far take of the disk; nothing for no file
   /// \param progress shows how far the run is
   template <class Rows>
   void look(const bench::Row& row, Rows rows, terminal::Progress& progress) {
@@ -47,7 +47,7 @@ class Outlook {
 
  private:
   static constexpr std::int64_t kFirst = std::int64_t{1} << 16U;
-  void judge(const bench::Row& row, base::OutputFile* rows);
+  void judge(const bench::Row& row, std::optional<std::uintmax_t> written);
   void show(const bench::Row& row, terminal::Progress& progress) const;
   double seconds() const;
 

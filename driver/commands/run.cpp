@@ -112,7 +112,7 @@ tl::expected<void, std::string> print_file(base::OutputFile& file) {
   std::ifstream in(file.temporary(), std::ios::binary);
   std::array<char, std::size_t{1} << 16U> piece{};
   while (in.read(piece.data(), piece.size()), in.gcount() > 0) {
-    terminal::print({piece.data(), static_cast<std::size_t>(in.gcount())});
+    terminal::print_data({piece.data(), static_cast<std::size_t>(in.gcount())});
   }
   return {};
 }
@@ -198,9 +198,10 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
                   prints_rows(options) ? fs::temp_directory_path() : fs::path(options.folder));
   const auto follow = [&] {
     terminal::Progress progress(results::case_stem(problem));
-    const auto finished_rows = [&]() -> base::OutputFile* {
-      if (rows) rows->bring();
-      return files ? &files->rows : nullptr;
+    const auto written = [&]() -> std::optional<std::uintmax_t> {
+      if (!rows) return std::nullopt;
+      rows->bring();
+      return rows->bytes();
     };
     const auto take = [&](std::span<const bench::Row> block) {
       summary.add(block);
@@ -212,7 +213,7 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
         }
         if (block.back().index % every != 0) last = block.back();
       }
-      outlook.look(block.back(), finished_rows, progress);
+      outlook.look(block.back(), written, progress);
     };
     if (!solver) return bench::run_in_blocks(problem, take);
     return bench::follow_case(problem, [&](const bench::Simulation& simulation) {

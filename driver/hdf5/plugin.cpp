@@ -24,6 +24,8 @@ class Handle {
   }
   hid_t get() const { return id_; }
   explicit operator bool() const { return id_ >= 0; }
+  /// Closes it before its time; false where something was not written.
+  bool close_now() { return close_(std::exchange(id_, -1)) >= 0; }
 
  private:
   hid_t id_;
@@ -75,7 +77,7 @@ std::string write(const std::filesystem::path& path, const TableHead& head,
   const Handle options(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   // Columns stay in the order of the table.
   H5Pset_link_creation_order(options.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
-  const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, options.get(), H5P_DEFAULT), H5Fclose);
+  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, options.get(), H5P_DEFAULT), H5Fclose);
   if (!file || !write_text(file.get(), "provenance", head.lines)) return fault;
   const hsize_t size[] = {rows};
   const Handle space(H5Screate_simple(1, size, nullptr), H5Sclose);
@@ -111,7 +113,9 @@ std::string write(const std::filesystem::path& path, const TableHead& head,
     done += count;
   }
   if (done != rows || H5Fflush(file.get(), H5F_SCOPE_LOCAL) < 0) return fault;
-  return {};
+  // The last of it is written where the file is closed, with all that is in it.
+  columns.clear();
+  return file.close_now() ? std::string() : fault;
 }
 
 class Hdf5Table : public TableReader {
@@ -175,12 +179,24 @@ class Hdf5Table : public TableReader {
   }
 
  private:
-  static herr_t add(hid_t group, const char* name, const H5L_info_t* /*info*/, void* self) {
+  static herr_t add(hid_t group, const char* name, const H5L_info_t* link, void* self) {
     Hdf5Table& table = *static_cast<Hdf5Table*>(self);
+    if (link->type != H5L_TYPE_HARD) {
+      table.fault_ =
+          fmt::format("'{}' is a link, perhaps to another file, which is not read", name);
+      return 0;
+    }
     H5O_info_t info;
     if (H5Oget_info_by_name2(group, name, &info, H5O_INFO_BASIC, H5P_DEFAULT) < 0) return -1;
     if (info.type != H5O_TYPE_DATASET) return 0;
     Handle column(H5Dopen2(group, name, H5P_DEFAULT), H5Dclose);
+    const Handle creation(H5Dget_create_plist(column.get()), H5Pclose);
+    if (H5Pget_external_count(creation.get()) != 0 ||
+        H5Pget_layout(creation.get()) == H5D_VIRTUAL) {
+      table.fault_ =
+          fmt::format("the numbers of '{}' are in another file, which is not read", name);
+      return 0;
+    }
     const Handle space(H5Dget_space(column.get()), H5Sclose);
     hsize_t size = 0;
     if (H5Sget_simple_extent_ndims(space.get()) != 1) return 0;
@@ -227,6 +243,8 @@ tl::expected<std::unique_ptr<TableReader>, std::string> open(const std::filesyst
 
 extern "C" const slipbench::driver::table::Hdf5Plugin* slipbench_hdf5() {
   using namespace slipbench::driver::table;
+  // A file that could not be written would be tried again at the end of the program, which crashes.
+  H5dont_atexit();
   // What goes wrong is told by sentences.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   static constexpr Hdf5Plugin kPlugin{SLIPBENCH_VERSION, write, open};

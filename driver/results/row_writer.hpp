@@ -36,6 +36,8 @@ class RowWriter {
   void write(const bench::Row& row);
   /// Brings all rows to the file, which others may look at until the next row.
   void bring();
+  /// Bytes that what was brought takes of the disk, in the end.
+  std::uintmax_t bytes() const { return table_.bytes(); }
   /// Brings all rows and completes the file but for its name. Error: a sentence.
   tl::expected<void, std::string> finish();
 

@@ -57,6 +57,11 @@ std::string names_fault(const TableHead& head) {
       return fmt::format("a quote or the end of a line cannot stand in the name of a column: {}",
                          base::printable(name));
     }
+    if (base::printable(name) != name) {
+      return "a control character, or a mark that turns the direction of writing, cannot stand in "
+             "the name of a column: " +
+             base::printable(name);
+    }
     if (!names.insert(name).second) {
       return fmt::format("two columns are called {}; give one another name", base::printable(name));
     }

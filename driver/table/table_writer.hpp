@@ -28,6 +28,10 @@ class TableWriter {
   /// Writes whole rows. Errors of the file are told when it is completed.
   void write(std::span<const double> numbers);
 
+  /// Bytes that the rows so far take of the disk when it is completed. Those of an HDF5 file are
+  /// there twice then.
+  std::uintmax_t bytes() const { return staged_ ? 2 * staged_->size() : file_->size(); }
+
   /// Completes the file but for its name, which base::commit gives it. Error: a sentence.
   tl::expected<void, std::string> finish();
 

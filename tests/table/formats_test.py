@@ -3,6 +3,7 @@
 
 usage: formats_test.py BUILD_FOLDER SOURCE_FOLDER
 """
+import os
 import pathlib
 import shutil
 import struct
@@ -184,6 +185,36 @@ class Formats(unittest.TestCase):
             self.assertEqual(file["f"].attrs["unit"].decode(), "kN")
         self.assertIn("has 3 rows", self.run_tool("convert", "u.h5", "-o", "y.csv", code=4))
         self.assertIn("cannot be", self.run_tool("convert", "nothing.csv", "-o", "y.npy", code=4))
+
+    def test_hdf5_reads_no_other_file_and_no_hostile_name_is_written(self):
+        (self.folder / "secret").write_bytes(struct.pack("<2d", 1, 2))
+        with h5py.File(self.folder / "external.h5", "w") as file:
+            file.create_dataset("x", (2,), "<f8", external=[(str(self.folder / "secret"), 0, 16)])
+        with h5py.File(self.folder / "virtual.h5", "w") as file:
+            layout = h5py.VirtualLayout((2,), "<f8")
+            layout[:] = h5py.VirtualSource("other.h5", "x", (2,))
+            file.create_virtual_dataset("x", layout)
+        for name in ("external", "virtual"):
+            said = self.run_tool("convert", f"{name}.h5", "-o", "y.csv", code=4)
+            self.assertIn("the numbers of 'x' are in another file", said)
+        # A link is not followed, not even to be looked at: a pipe would be waited for.
+        os.mkfifo(self.folder / "pipe.h5")
+        with h5py.File(self.folder / "link.h5", "w") as file:
+            file["x"] = h5py.ExternalLink("pipe.h5", "/x")
+        self.assertIn("'x' is a link", self.run_tool("convert", "link.h5", "-o", "y.csv", code=4))
+        with h5py.File(self.folder / "escape.h5", "w") as file:
+            file["a\x1b[31m"] = numpy.zeros(2)
+        self.assertIn("a control character", self.run_tool("convert", "escape.h5", "-o", "y.csv", code=4))
+        self.assertFalse((self.folder / "y.csv").exists())
+
+    def test_hdf5_on_a_full_disk_is_an_error_and_no_file(self):
+        before = sorted(self.folder.iterdir())
+        for blocks in (8, 40, 100):
+            done = subprocess.run(["bash", "-c", 'ulimit -f $1; trap "" XFSZ; exec "$0" run press_fit.yaml --format h5', SLIPBENCH, str(blocks)],
+                                  cwd=self.folder, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 4, done.stdout + done.stderr)
+            self.assertIn("cannot be written", done.stderr)
+            self.assertEqual(sorted(self.folder.iterdir()), before)
 
     def test_starting_the_program_does_not_load_hdf5(self):
         libraries = subprocess.run(["ldd", SLIPBENCH], capture_output=True, text=True, check=True).stdout

@@ -61,7 +61,7 @@ TEST_CASE("rows that the disk has no room for are not begun in earnest") {
   folder.write("c.yaml", text);
   const Ended ended = slipbench(folder, "run c.yaml");
   CHECK(ended.code == 4);
-  CHECK(contains(ended.output, "c.yaml: error: c.csv would take some "));
+  CHECK(contains(ended.output, "c.yaml: error: the rows of c would take some "));
   CHECK(contains(ended.output,
                  " are free in .; write fewer rows ('output: {every: N}' or '--every N'), fewer "
                  "columns ('output: {columns: [..]}') or '--no-output'\n"));
