@@ -47,13 +47,24 @@ tl::expected<base::SourceText, IncludeFault> OpenFiles::open(std::string_view na
   const bool is_open = std::any_of(open_.begin(), open_.end(), [&](const std::string& one) {
     return std::filesystem::equivalent(one, file, ignored);
   });
-  if (is_open || open_.size() > deepest_) {
+  if (is_open) {
     return tl::unexpected(IncludeFault{false, "files include each other without end", {}});
+  }
+  if (open_.size() > deepest_) {
+    return tl::unexpected(IncludeFault{
+        false, fmt::format("files include each other {} deep, and no deeper", deepest_), {}});
   }
   auto source = base::read_source(file, size_limit);
   if (!source) {
     return tl::unexpected(IncludeFault{true, source.error().diagnostic.message,
                                        "files that a deck includes are looked for in its folder"});
+  }
+  constexpr std::size_t kMostAgain = std::size_t{16} << 20U;
+  constexpr std::size_t kLeast = 4096;  // reading an empty one takes time, too
+  if (!known_.insert(file).second) again_ += std::max(kLeast, source->text().size());
+  if (again_ > kMostAgain) {
+    return tl::unexpected(
+        IncludeFault{false, "files that are included more than once are more than 16 MiB", {}});
   }
   open_.push_back(file);
   return std::move(*source);

@@ -248,6 +248,9 @@ Coefficient read_coefficient(const KeywordDeck& deck, const Block& block) {
   coefficient.force_limit = number_of(deck, block, "TAUMAX", 0.0);
   coefficient.slip_tolerance = number_of(deck, block, "SLIP TOLERANCE", 0.0);
   coefficient.elastic_slip = number_of(deck, block, "ELASTIC SLIP", 0.0);
+  if (block.has("ELASTIC SLIP") && !(coefficient.elastic_slip > 0.0)) {
+    deck.error(block.find("ELASTIC SLIP")->where, block, "wanted an elastic slip above 0");
+  }
   const std::vector<Items> lines = deck.lines(block);
   if (block.has("EXPONENTIAL DECAY")) {
     coefficient.kind =

@@ -244,7 +244,7 @@ void KeywordDeck::read_parameters(const Block& block) {
             "*PARAMETER is read as arithmetic of numbers and earlier names");
       return;
     }
-    numbers_[name] = *value;
+    if (!numbers_.emplace(name, *value).second) error(text, block, "is stated twice");
   });
 }
 

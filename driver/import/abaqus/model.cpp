@@ -111,10 +111,25 @@ class Reader {
   }
 
  private:
-  /// Sets are read only where a connector's section or a step names them.
+  /// Sets are read only where a connector's section, a step or another set that is read names them.
   void find_wanted_sets() {
+    using SetOfPart = std::pair<std::string, const Block*>;
+    std::map<std::string, std::vector<SetOfPart>> stated;
+    std::string part;
     for (const Block& block : deck_.blocks()) {
-      if (block.keyword == "CONNECTOR SECTION" || block.keyword == "CHANGE FRICTION") {
+      if (block.keyword == "PART") {
+        part = label_of(value_of(block, "NAME"));
+      } else if (block.keyword == "END PART") {
+        part.clear();
+      } else if (block.keyword == "ELSET") {
+        stated[label_of(value_of(block, "ELSET"))].emplace_back(part, &block);
+        labels_.insert(label_of(value_of(block, "ELSET")));
+      } else if (block.keyword == "ELEMENT") {
+        labels_.insert(label_of(value_of(block, "ELSET")));
+      } else if (block.keyword == "ELGEN" || block.keyword == "ELCOPY" ||
+                 block.keyword == "IMPORT" || block.keyword == "RESTART") {
+        makes_sets_ = true;
+      } else if (block.keyword == "CONNECTOR SECTION" || block.keyword == "CHANGE FRICTION") {
         want(label_of(value_of(block, "ELSET")));
       } else if (block.keyword == "CONNECTOR MOTION" || block.keyword == "CONNECTOR LOAD") {
         deck_.for_each_line(block, [&](std::string_view line) {
@@ -123,15 +138,31 @@ class Reader {
         });
       }
     }
+    while (!unread_.empty()) {
+      const auto sets = stated.find(unread_.back());
+      unread_.pop_back();
+      if (sets == stated.end()) continue;
+      for (const auto& [of_part, block] : sets->second) read_set(of_part, *block);
+    }
   }
 
-  /// Notes that a set matters, one of an instance by its name in the part, too. Returns false if
-  /// that was known.
-  bool want(const std::string& label) {
-    if (const std::size_t dot = label.rfind('.'); dot != label.npos) {
-      wanted_.insert(label.substr(dot + 1));
+  /// Notes that a set is to be read, one of an instance by its name in the part, too.
+  void want(const std::string& label) {
+    for (const std::string& one : {label, own_part(label)}) {
+      if (wanted_.insert(one).second) unread_.push_back(one);
     }
-    return wanted_.insert(label).second;
+  }
+
+  /// "PIN" of "ARM-1.PIN".
+  static std::string own_part(const std::string& label) {
+    return label.substr(label.rfind('.') + 1);
+  }
+
+  /// Refuses the name of a set that is not there: what it is named for would be lost.
+  void expect_set(const std::string& label, std::string_view where, const Block& block) const {
+    const std::string own = own_part(label);
+    if (makes_sets_ || own.empty() || starts_with_digit(own) || labels_.count(own) > 0) return;
+    deck_.error(where, block, "there is no element set of that name");
   }
 
   void read_block(const Block& block) {
@@ -147,7 +178,7 @@ class Reader {
     } else if (keyword == "ELEMENT") {
       read_elements(block);
     } else if (keyword == "ELSET") {
-      read_set(block);
+      return;
     } else if (keyword == "ORIENTATION") {
       read_orientation(block);
     } else if (keyword == "CONNECTOR SECTION") {
@@ -216,21 +247,20 @@ class Reader {
     }
   }
 
-  void read_set(const Block& block) {
-    std::string name = value_of(block, "ELSET");
-    const std::string label = label_of(name);
-    if (wanted_.count(label) == 0) return;
+  void read_set(const std::string& part, const Block& block) {
+    const std::string label = label_of(value_of(block, "ELSET"));
     // Members in an instance are counted as those of its part.
     const std::string instance = label_of(value_of(block, "INSTANCE"));
     const std::string of_instance = instance.empty() ? instance : instance + ".";
-    auto& members = sets_[{part_, label}];
+    std::vector<std::string> members;
     const bool generate = block.has("GENERATE");
     for (const Items& items : deck_.lines(block)) {
       if (generate) {
         const long first = whole(deck_, items.front(), 0);
         const long last = items.size() > 1 ? whole(deck_, items[1], first) : first;
-        const long step = items.size() > 2 ? whole(deck_, items[2], 1) : 1;
-        ranges_[{part_, label}].push_back({of_instance, first, last, std::max(1L, step)});
+        const long step = items.size() > 2 ? whole(deck_, items[2], 0) : 1;
+        if (step < 1) deck_.error(items[2], block, "wanted a whole number of 1 or more");
+        ranges_[{part, label}].push_back({of_instance, first, last, std::max(1L, step)});
         continue;
       }
       for (const std::string_view item : items) {
@@ -239,21 +269,13 @@ class Reader {
     }
     // A set of sets: those are wanted, too, wherever they stand.
     for (const std::string& member : members) {
-      const std::string own = member.substr(member.rfind('.') + 1);
-      if (want(member) && !starts_with_digit(own)) read_earlier_set(own);
+      if (!starts_with_digit(own_part(member))) want(member);
+      holders_[member].emplace_back(part, label);
     }
   }
 
   static bool starts_with_digit(const std::string& text) {
     return !text.empty() && text.front() >= '0' && text.front() <= '9';
-  }
-
-  void read_earlier_set(const std::string& label) {
-    for (const Block& block : deck_.blocks()) {
-      if (block.keyword == "ELSET" && label_of(value_of(block, "ELSET")) == label) {
-        read_set(block);
-      }
-    }
   }
 
   void read_orientation(const Block& block) {
@@ -309,6 +331,7 @@ class Reader {
       lines.push_back(line == "," ? Items() : split_items(line));
     });
     if (section.set.empty()) deck_.error(block.where, block, "ELSET is missing");
+    expect_set(section.set, block.where, block);
     if (lines.empty() || lines.front().empty()) {
       deck_.error(block.where, block, "wanted a line with the connection type");
       return;
@@ -345,6 +368,12 @@ class Reader {
     one.total_time = word_of(deck_, block, "TIME", {"STEP TIME", "TOTAL TIME"}) == "TOTAL TIME";
     one.absolute = word_of(deck_, block, "VALUE", {"RELATIVE", "ABSOLUTE"}) == "ABSOLUTE";
     one.interval = deck_.number(value_of(block, "FIXED INTERVAL")).value_or(0.0);
+    if (one.kind == Amplitude::Kind::kEquallySpaced && !(one.interval > 0.0)) {
+      deck_.error(block.where, block, "FIXED INTERVAL: wanted a number above 0");
+    }
+    if (const Amplitude* const first = find_amplitude(model_, one.label)) {
+      deck_.error(block.where, block, "has the name of the one in " + deck_.place(first->where));
+    }
     one.begin = deck_.number(value_of(block, "BEGIN")).value_or(0.0);
     one.smoothed = deck_.number(value_of(block, "SMOOTH")).value_or(0.0) > 0.0;
     using Kind = Amplitude::Kind;
@@ -408,6 +437,9 @@ class Reader {
       const auto at = [&](std::size_t i) {
         return !rows.empty() && rows[0].size() > i ? rows[0][i].value_or(0.0) : 0.0;
       };
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (at(i) < 0.0) deck_.error(block.where, block, "wanted times of 0 or more");
+      }
       step_->increment = std::max(0.0, at(0));
       if (at(1) > 0.0) step_->period = at(1);
     } else if (keyword == "CONNECTOR MOTION" || keyword == "CONNECTOR LOAD") {
@@ -417,6 +449,10 @@ class Reader {
     } else if (keyword == "BOUNDARY") {
       read_boundary(block);
     } else if (keyword == "CHANGE FRICTION") {
+      if (!block.has("ELSET") && !block.has("INTERACTION")) {
+        deck_.error(block.where, block, "ELSET or INTERACTION is missing");
+      }
+      expect_set(label_of(value_of(block, "ELSET")), block.where, block);
       step_->changes.push_back({.where = block.where,
                                 .target = label_of(value_of(block, "ELSET")),
                                 .amplitude = label_of(value_of(block, "AMPLITUDE")),
@@ -458,6 +494,7 @@ class Reader {
                     "wanted a set or an element, a component and a magnitude");
         continue;
       }
+      expect_set(drive.target, items.front(), block);
       drive.component = *component;
       if (items.size() > 2 && !items[2].empty()) {
         const auto magnitude = deck_.number(items[2]);
@@ -532,26 +569,31 @@ class Reader {
 
   /// Puts the number of an element and those sets together by which it may be named.
   void find_sets(Element& element) const {
-    const std::string number = std::to_string(element.number);
-    for (bool found = true; found;) {
-      found = false;
-      for (const auto& one : sets_) {
-        const auto& key = one.first;
-        const auto& members = one.second;
-        if (element.sets.count(key.second) > 0) continue;
-        const bool in = std::any_of(members.begin(), members.end(), [&](const std::string& member) {
-          if (key.first == element.part && member == number) return true;
-          return element.sets.count(member) > 0;
-        });
-        if (in) found = element.sets.insert(key.second).second;
+    const auto holders = holders_.find(std::to_string(element.number));
+    if (holders != holders_.end()) {
+      for (const auto& [part, label] : holders->second) {
+        if (part == element.part) element.sets.insert(label);
       }
-      for (const auto& [key, ranges] : ranges_) {
-        if (key.first != element.part) continue;
-        for (const Range& range : ranges) {
-          if (range.instance.empty() && range.has(element.number)) {
-            found = element.sets.insert(key.second).second || found;
-          }
-        }
+    }
+    for (const auto& [key, ranges] : ranges_) {
+      if (key.first != element.part) continue;
+      for (const Range& range : ranges) {
+        if (range.instance.empty() && range.has(element.number)) element.sets.insert(key.second);
+      }
+    }
+    add_holders(element.sets, [](const Scoped&) { return true; });
+  }
+
+  /// Adds the sets that have one of these as a member, and those that have these.
+  template <class Accepts>
+  void add_holders(std::set<std::string>& labels, const Accepts& accepts) const {
+    std::vector<std::string> fresh(labels.begin(), labels.end());
+    while (!fresh.empty()) {
+      const auto holders = holders_.find(fresh.back());
+      fresh.pop_back();
+      if (holders == holders_.end()) continue;
+      for (const Scoped& one : holders->second) {
+        if (accepts(one) && labels.insert(one.second).second) fresh.push_back(one.second);
       }
     }
   }
@@ -566,20 +608,12 @@ class Reader {
         }
       }
     }
-    for (bool found = true; found;) {
-      found = false;
-      for (const auto& [key, members] : sets_) {
-        if (!key.first.empty() || labels.count(key.second) > 0) continue;
-        const bool in = std::any_of(members.begin(), members.end(), [&](const std::string& one) {
-          return !starts_with_digit(one) && labels.count(one) > 0;
-        });
-        if (in) found = labels.insert(key.second).second;
-      }
-    }
+    add_holders(labels, [](const Scoped& holder) { return holder.first.empty(); });
   }
 
   void make_connectors() {
     for (Element& element : elements_) {
+      if (too_many_) return;
       find_sets(element);
       const auto section =
           std::find_if(sections_.begin(), sections_.end(), [&](const Section& one) {
@@ -608,7 +642,7 @@ class Reader {
       }
       bool placed = false;
       for (const Instance& instance : instances_) {
-        if (element.part.empty() || instance.part != element.part) continue;
+        if (too_many_ || element.part.empty() || instance.part != element.part) continue;
         Connector own = one;
         own.name = instance.name + "." + one.name;
         for (const std::string& set : element.sets) own.labels.insert(instance.label + "." + set);
@@ -623,8 +657,22 @@ class Reader {
     }
   }
 
+  /// Adds a connector; a deck that stands for more of them, or for more names of theirs, than fit
+  /// into memory is refused.
   void add(Connector connector, const Element& element, const Section& section,
            const Instance* instance) {
+    constexpr std::size_t kMostConnectors = 200'000;
+    constexpr std::size_t kMostNames = 2'000'000;
+    names_ += connector.labels.size();
+    if (model_.connectors.size() == kMostConnectors || names_ > kMostNames) {
+      if (!too_many_) {
+        deck_.error(element.where, *section.block,
+                    fmt::format("there are more than {} connectors, or {} names of them in sets",
+                                kMostConnectors, kMostNames));
+      }
+      too_many_ = true;
+      return;
+    }
     std::array<Ends, 2> ends;
     for (std::size_t i = 0; i < 2; ++i) {
       ends[i] = {node_of(element, element.nodes[i]), instance};
@@ -678,7 +726,10 @@ class Reader {
         const Items items = split_items(line);
         Vector3d place = Vector3d::Zero();
         for (std::size_t i = 1; i < std::min<std::size_t>(4, items.size()); ++i) {
-          place[static_cast<Eigen::Index>(i) - 1] = deck_.number(items[i]).value_or(0.0);
+          if (items[i].empty()) continue;
+          const auto coordinate = deck_.number(items[i]);
+          if (!coordinate) deck_.error(items[i], *block, coordinate.error());
+          place[static_cast<Eigen::Index>(i) - 1] = coordinate.value_or(0.0);
         }
         node->second = place;
       });
@@ -732,11 +783,14 @@ class Reader {
   const KeywordDeck& deck_;
   Model model_;
   std::string part_;
+  std::set<std::string> labels_;  ///< of all sets of elements
+  bool makes_sets_ = false;       ///< by keywords that are not read
   std::set<std::string> wanted_;
+  std::vector<std::string> unread_;
   std::vector<Instance> instances_;
   std::vector<Element> elements_;
   std::vector<Section> sections_;
-  std::map<Scoped, std::vector<std::string>> sets_;
+  std::map<std::string, std::vector<Scoped>> holders_;  ///< of a member, the sets that have it
   std::map<Scoped, std::vector<Range>> ranges_;
   std::map<Scoped, Matrix3d> axes_;
   std::vector<std::pair<std::string, const Block*>> node_blocks_;
@@ -747,6 +801,8 @@ class Reader {
   std::vector<const Block*> changes_;  ///< those of the step
   std::set<std::string> held_;         ///< nodes whose motion is held in all six components
   bool others_ = false;                ///< elements that are no connectors
+  std::size_t names_ = 0;              ///< of connectors, in sets
+  bool too_many_ = false;
   bool has_time_ = false;
   bool change_open_ = false;
   int steps_ = 0;

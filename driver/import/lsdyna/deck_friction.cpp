@@ -43,6 +43,10 @@ Coefficients read_coefficients(CardReader& cards, std::size_t card, std::size_t 
   const Coefficients found{cards.number(card, first, "FS"), cards.number(card, first + 1, "FD"),
                            cards.number(card, first + 2, "DC"),
                            cards.number(card, first + 3, "VC")};
+  // FS of *CONTACT, which is the first of its card, says below 0 where the friction is stated.
+  constexpr const char* kNegative = "a coefficient must not be negative";
+  if (found.fs < 0.0 && first > 0) cards.refuse(card, first, kNegative);
+  if (found.fd < 0.0) cards.refuse(card, first + 1, kNegative);
   if (found.dc < 0.0) {
     cards.refuse(card, first + 2,
                  "DC must not be negative: the coefficient would grow with the velocity for ever");

@@ -287,6 +287,9 @@ class PythonReader {
       const std::string_view name = rest.substr(0, rest.find_first_of("(: ["));
       own_.emplace(name);
       names_.forget(std::string(name), "is a function of the script");
+      // Each function keeps the names outside of it; of thousands none is certain any more.
+      constexpr std::size_t kMostNames = 2000;
+      if (names_.numbers.size() + names_.unread.size() > kMostNames) names_ = {.lost = true};
       // Values from outside may have changed by the time of the call.
       block.outside = names_;
       names_.forget_all();
