@@ -91,6 +91,9 @@ Written unit_of(const read::ReadCase& read, const std::string& file,
         {Kind::kDropped, fmt::format("parameter {}: {}; it stays {}", one.name, one.reason,
                                      problem.parameters.find(one.name)->second)});
   }
+  if (std::string fault = exports::units_fault(problem); !fault.empty()) {
+    return tl::unexpected(Failure{base::kExitEnvironment, std::move(fault)});
+  }
   const std::string resource = exports::fmu_resource(problem, *variables, map, law.numbers);
   const std::string description_of = exports::model_description(problem, *variables, {});
   const exports::FmuIdentity identity{identifier_of(file), guid_of(resource + description_of)};

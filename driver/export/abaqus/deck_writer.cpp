@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "driver/base/text/diagnostic.hpp"
 #include "driver/export/abaqus/deck_parts.hpp"
+#include "driver/export/deck_text.hpp"
 #include "driver/results/provenance.hpp"
 #include "law/friction/friction_law.hpp"
 
@@ -128,7 +128,7 @@ std::string DeckParts::model() {
     if (names.size() > 1) text += ", " + std::string(names[1].value);
     return text;
   };
-  std::string text = "*HEADING\n" + base::printable(problem_.title);
+  std::string text = "*HEADING\n" + title_line(problem_.title);
   const base::UnitSystem& units = problem_.units;
   if (!units.length.empty()) {
     text += fmt::format(" ({}, {}, {})", units.length, units.force, units.time);

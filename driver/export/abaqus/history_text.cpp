@@ -6,10 +6,10 @@
 #include <numbers>
 #include <variant>
 
-#include "driver/base/text/diagnostic.hpp"
 #include "driver/bench/run_case.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/export/abaqus/deck_parts.hpp"
+#include "driver/export/deck_text.hpp"
 
 namespace slipbench::driver::exports {
 namespace {
@@ -143,8 +143,8 @@ std::string DeckParts::measured() {
 std::string DeckParts::step(std::size_t index, int pass) {
   const cases::Step& step = problem_.steps[index];
   std::string text =
-      fmt::format("*STEP, NAME=\"{}{}\", NLGEOM=NO\n*STATIC, DIRECT\n", base::printable(step.name),
-                  pass > 0 ? fmt::format(" {}", pass + 1) : std::string());
+      fmt::format("*STEP, NAME={}, NLGEOM=NO\n*STATIC, DIRECT\n",
+                  name_in_quotes(step.name + (pass > 0 ? fmt::format(" {}", pass + 1) : "")));
   text += data_lines({whole_(step.duration / step.increments), whole_(step.duration)});
   if (index == 0 && pass == 0) text += supports();
   std::string drives;

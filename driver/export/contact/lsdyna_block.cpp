@@ -9,6 +9,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/export/coefficient_grid.hpp"
 #include "driver/export/contact/contact_block.hpp"
+#include "driver/export/deck_text.hpp"
 #include "driver/export/number_writer.hpp"
 
 namespace slipbench::driver::exports {
@@ -110,7 +111,7 @@ class LsDynaText {
     }
     for (const StatedGroup& group : statement_.groups) {
       keyword("SET_PART_LIST_TITLE");
-      text_ += base::printable(group.name) + "\n";
+      text_ += title_line(group.name) + "\n";
       card({std::to_string(group.id)});
       constexpr std::size_t kInLine = 8;
       for (std::size_t i = 0; i < group.parts.size(); i += kInLine) {

@@ -8,6 +8,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/export/contact/contact_block.hpp"
+#include "driver/export/deck_text.hpp"
 #include "driver/export/number_writer.hpp"
 #include "law/friction/law_list.hpp"
 
@@ -74,7 +75,7 @@ class RadiossText {
       line(text, fmt::format("# in {}, {}, {}", units.length, units.force, units.time));
     }
     line(text, "/FRICTION/1");
-    line(text, base::printable(statement_.title.substr(0, 100)));
+    line(text, base::printable(title_line(statement_.title).substr(0, 100)));
     line(text, "#    Ifric   Ifiltr               Xfreq     Iform");
     const auto [kind, xfreq] = filter();
     line(text,
@@ -188,7 +189,7 @@ class RadiossText {
   static void parts(std::string& text, const StatedGroup& group) {
     constexpr std::size_t kInLine = 10;
     line(text, fmt::format("/GRPART/PART/{}", group.id));
-    line(text, base::printable(group.name));
+    line(text, title_line(group.name));
     for (std::size_t i = 0; i < group.parts.size(); i += kInLine) {
       std::string ids;
       for (std::size_t k = i; k < std::min(i + kInLine, group.parts.size()); ++k) {

@@ -30,16 +30,17 @@ std::string escape_xml(std::string_view text) {
   return escaped;
 }
 
+base::UnitSystem si_units() { return {"m", "N", "s", "K"}; }
+
 /// Size of the case's unit in SI units; 1 where it states none.
 double si_factor(const std::string& unit, const base::Dimension& dimension) {
-  const base::UnitSystem si{"m", "N", "s", "K"};
   if (unit.empty()) return 1.0;
-  const auto conversion = base::conversion_to_case(unit, dimension, si);
+  const auto conversion = base::conversion_to_case(unit, dimension, si_units());
   return conversion ? conversion->scale : 1.0;
 }
 
 double si_offset(const std::string& unit) {
-  const auto conversion = base::conversion_to_case(unit, base::kTemperature, {"m", "N", "s", "K"});
+  const auto conversion = base::conversion_to_case(unit, base::kTemperature, si_units());
   return conversion ? conversion->offset : 0.0;
 }
 
@@ -124,6 +125,18 @@ std::string fmu_resource(const cases::Case& problem, const std::vector<FmuVariab
     text += '\n';
   }
   return text;
+}
+
+std::string units_fault(const cases::Case& problem) {
+  for (const auto& [unit, dimension] :
+       {std::pair{problem.units.length, base::kLength},
+        std::pair{problem.units.force, base::kForce}, std::pair{problem.units.time, base::kTime},
+        std::pair{problem.units.temperature, base::kTemperature}}) {
+    if (unit.empty()) continue;
+    const auto conversion = base::conversion_to_case(unit, dimension, si_units());
+    if (!conversion) return conversion.error().message;
+  }
+  return {};
 }
 
 std::string model_description(const cases::Case& problem, const std::vector<FmuVariable>& variables,

@@ -23,6 +23,9 @@ struct FmuIdentity {
 std::string fmu_resource(const cases::Case& problem, const std::vector<FmuVariable>& variables,
                          const ParameterMap& map, const std::vector<double>& numbers);
 
+/// Returns why the units of a case cannot be told in SI units, in a sentence, or nothing.
+std::string units_fault(const cases::Case& problem);
+
 /// Writes modelDescription.xml. Source: Functional Mock-up Interface 2.0.3, section 2.2 and 4.3.1.
 std::string model_description(const cases::Case& problem, const std::vector<FmuVariable>& variables,
                               const FmuIdentity& identity);
