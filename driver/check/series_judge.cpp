@@ -127,8 +127,23 @@ std::int64_t rows_in_common(const Series& result, const Series& reference) {
   });
 }
 
+/// Returns why a curve cannot be compared by measures of it, in a sentence, or nothing.
+std::string unfit(const cases::Check& check, const Series& result, const Series& reference) {
+  if (!check.abscissa && !std::ranges::is_sorted(reference.abscissa)) {
+    return "the times of the reference fall";
+  }
+  if (result.size() > 1 && reference.size() > 1 && rows_in_common(result, reference) < 2) {
+    return "fewer than two rows of the reference are in the range of the result";
+  }
+  return {};
+}
+
 void judge_measures(const cases::Check& check, const CheckLabels& labels, const ComparedRows& rows,
                     const ReferenceCurve& reference, Verdict& verdict) {
+  if (std::holds_alternative<cases::CurveReference>(check.against)) {
+    verdict.message = unfit(check, rows.value, reference.series);
+    if (!verdict.message.empty()) return;
+  }
   CurveComparison comparison =
       compare(check.criterion, rows.value, reference.series, check.tolerance);
   verdict.message = std::move(comparison.fault);

@@ -201,6 +201,11 @@ int check_command(const CheckOptions& options) {
   }
   if (told.memory) told.memory->write(found.cases);
   int code = base::worse(told.totals.code, search_code);
+  if (told.totals.checks == 0 && told.totals.no_checks > 0) {
+    terminal::print_error(fmt::format("slipbench: {}: no case has a check; nothing was judged\n",
+                                      options.strict ? "error" : "warning"));
+    if (options.strict) code = base::worse(code, base::kExitCheckFailed);
+  }
   if (!told.overwritten.empty())
     return base::worse(code, terminal::refuse(base::kExitEnvironment, told.overwritten));
   if (told.junit) files->junit->append(told.junit->text());

@@ -9,10 +9,12 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "driver/base/csv/csv_reader.hpp"
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/number.hpp"
 #include "driver/check/criteria/criteria.hpp"
 #include "driver/report/collect.hpp"
@@ -139,15 +141,33 @@ const ReportColumn* find(const CaseReport& report, const std::string& name) {
   return found == report.columns.end() ? nullptr : &*found;
 }
 
+/// Of files beside a result that a program which was killed left, or a user brought together.
+constexpr const char* kOtherRun = "it is of another run than the rows";
+
 /// A file beside a result that is there but tells nothing must not look like one that is missing.
 void warn_of(const fs::path& file, const std::string& why, const char* lost, CaseReport& report) {
   report.warnings.push_back(
-      fmt::format("{} cannot be read ({}): {}", file.filename().string(), why, lost));
+      fmt::format("{} is not shown ({}): {}", file.filename().string(), why, lost));
 }
 
-/// Takes what the JSON beside a result tells; one that is missing, or of another origin, tells
-/// nothing, and one that is broken is warned of.
-void add_summary(const fs::path& file, const base::UnitSystem& units, CaseReport& report) {
+/// Tells whether a JSON is of the run that rows with these lines are of: of its case, with its
+/// parameters. One without an origin may be.
+bool is_of_run(const yaml::Node& root, const std::set<std::string>& lines,
+               const CaseReport& report) {
+  const auto origin = root.find("provenance");
+  if (!origin || !origin->is_map()) return true;
+  const std::string line = "# case: " + base::printable(text_in(*origin, "case"));
+  const auto parameters = origin->find("parameters");
+  return lines.contains(base::in_cells(line)) &&
+         std::ranges::all_of(report.parameters, [&](const auto& one) {
+           return parameters && number_in(*parameters, one.first) == one.second;
+         });
+}
+
+/// Takes what the JSON beside a result tells; one that is missing tells nothing, and one that is
+/// broken, or of another run, is warned of.
+void add_summary(const fs::path& file, const base::UnitSystem& units,
+                 const std::set<std::string>& lines, CaseReport& report) {
   constexpr const char* kLost = "the verdicts of the checks are unknown";
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
@@ -164,6 +184,10 @@ void add_summary(const fs::path& file, const base::UnitSystem& units, CaseReport
     return;
   }
   const yaml::Node root = tree->root();
+  if (!is_of_run(root, lines, report)) {
+    warn_of(file, kOtherRun, kLost, report);
+    return;
+  }
   if (const auto summary = root.find("summary")) {
     const double duration = number_in(*summary, "end_time").value_or(0.0) -
                             number_in(*summary, "start_time").value_or(0.0);
@@ -207,7 +231,8 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 }
 
 /// Takes the events beside a result; lines that are none are passed over.
-void add_events(const fs::path& file, CaseReport& report) {
+void add_events(const fs::path& file, const std::set<std::string>& lines, CaseReport& report) {
+  constexpr const char* kNoEvents = "there is no list of events";
   constexpr std::size_t kFirstPosition = 7;
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return;
@@ -216,11 +241,15 @@ void add_events(const fs::path& file, CaseReport& report) {
   std::vector<std::string> header;
   ReportEvents events;
   while (std::getline(in, line)) {
-    if (line.starts_with('#')) continue;
+    if (line.starts_with('#')) {
+      if (lines.contains(line)) continue;
+      warn_of(file, kOtherRun, kNoEvents, report);
+      return;
+    }
     const std::vector<std::string_view> fields = fields_of(line);
     if (header.empty()) {
       if (!line.starts_with("t,definition,from,to,force,limit,accumulated_slip")) {
-        warn_of(file, "it is no list of events", "there is no list of events", report);
+        warn_of(file, "it is no list of events", kNoEvents, report);
         return;
       }
       header.assign(fields.begin(), fields.end());
@@ -298,8 +327,9 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
   }
   report.units.emplace_back("energy", base::energy_unit(units));
   use_energy_unit(report, base::energy_unit(units));
-  add_summary(beside(path, ".json"), units, report);
-  add_events(beside(path, ".events.csv"), report);
+  const std::set<std::string> lines = results::comment_lines(path);
+  add_summary(beside(path, ".json"), units, lines, report);
+  add_events(beside(path, ".events.csv"), lines, report);
 
   std::vector<std::size_t> status;  // of each definition, its column; the number of columns if none
   for (const ReportDefinition& definition : report.definitions) {

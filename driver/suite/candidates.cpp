@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "driver/base/files/data_path.hpp"
 #include "driver/base/files/real_files.hpp"
 #include "driver/base/text/standard_input.hpp"
 #include "driver/read/file_kind.hpp"
@@ -44,6 +45,12 @@ void search(const fs::path& top, std::vector<fs::path>& found, std::vector<std::
       if (it->is_directory(ignored)) {
         if (!it->is_symlink(ignored) && is_searched(it->path())) folders.push_back(it->path());
       } else if (read::has_case_ending(it->path()) && !is_hidden(it->path())) {
+        const fs::path below = it->path().lexically_relative(top);
+        if (it->is_symlink(ignored) && !base::resolve_data_path(top, below.string())) {
+          faults.push_back(it->path().string() +
+                           ": is a link out of the folder; name the file itself to have it run");
+          continue;
+        }
         found.push_back(it->path());
       }
     }

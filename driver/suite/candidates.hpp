@@ -23,7 +23,8 @@ struct Candidates {
 
 /// The cases that `paths` name: files as they are, readable or not, and all *.yaml files below
 /// folders in the order of their labels, but for those in folders named `bad`, hidden ones, those
-/// in hidden folders, and fit files. Links to folders are not followed; a link to a case is a case.
+/// in hidden folders, and fit files. Links to folders are not followed; a link to a case is a case,
+/// if that lies below the folder, too.
 /// What cannot be searched is a fault and does not hide the rest.
 Candidates find_candidates(std::span<const std::string> paths);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -356,6 +358,14 @@ bool judge_criterion(yaml::Binder& binder, const CheckText& text, const Abscissa
   return false;
 }
 
+/// A formula without '=' and blanks.
+std::string formula_of(std::string_view text) {
+  std::string formula;
+  std::ranges::copy_if(text.substr(text.starts_with('=') ? 1 : 0), std::back_inserter(formula),
+                       [](char c) { return c != ' '; });
+  return formula;
+}
+
 void read_check(yaml::Binder& binder, const yaml::At<CheckText>& at,
                 const std::vector<std::string>& variables, const StepNames& steps,
                 bool curves_may_be_missing, cases::Case& out) {
@@ -365,6 +375,11 @@ void read_check(yaml::Binder& binder, const yaml::At<CheckText>& at,
   if (quantity && quantity->variables.empty()) {
     binder.error(*text.quantity.node, text.quantity.path,
                  "names nothing of the result: this check would compare two constants");
+    good = false;
+  }
+  const yaml::At<std::string>& own = text.against.value.expression;
+  if (quantity && own.sound && formula_of(own.value) == formula_of(text.quantity.value)) {
+    binder.error(*own.node, own.path, "is the quantity: this check would compare it with itself");
     good = false;
   }
   auto abscissa = read_abscissa(binder, text, variables, out);
@@ -392,7 +407,7 @@ void read_check(yaml::Binder& binder, const yaml::At<CheckText>& at,
         *text.step.node, text.step.path, "no step '" + base::printable(text.step.value) + "'",
         yaml::nearest_or(text.step.value, steps.names,
                          steps.names.empty() ? "a measured history has no steps"
-                                             : "steps: " + base::in_words(steps.names, "and")));
+                                             : "steps: " + base::few_in_words(steps.names)));
     good = false;
   }
   const OverText& over = text.over.value;
@@ -447,18 +462,20 @@ void resolve_output_and_checks(yaml::Binder& binder, const CaseText& text, cases
     }
     columns.push_back(name);
   }
-  const std::vector<yaml::At<std::string>>& chosen = text.output.columns.value;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const yaml::At<std::string>& column = chosen[i];
+  std::set<std::string_view> chosen;
+  // With that many unknown ones, the next tell nothing new.
+  int unknown = 0;
+  constexpr int kMostUnknown = 100;
+  for (const yaml::At<std::string>& column : text.output.columns.value) {
     if (!column.sound) continue;
-    const bool twice = std::any_of(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(i),
-                                   [&](const auto& c) { return c.value == column.value; });
-    if (twice) {
+    if (unknown > kMostUnknown) break;
+    if (!chosen.insert(column.value).second) {
       binder.error(*column.node, column.path,
                    "the column '" + base::printable(column.value) + "' stands twice");
     } else if (std::find(columns.begin(), columns.end(), column.value) != columns.end()) {
       out.output_columns.push_back(column.value);
     } else if (!binder.unknown_names_excused()) {
+      ++unknown;
       binder.error(*column.node, column.path,
                    "no result column '" + base::printable(column.value) + "'",
                    column_hint(column.value, columns, "known: " + base::few_in_words(columns)));

@@ -90,9 +90,9 @@ TEST_CASE("broken files beside a result do not keep it from being drawn") {
   CHECK(broken.report.events_total == 0);
   // A failed result must not look unchecked: what is there and cannot be read is told.
   REQUIRE(broken.report.warnings.size() == 2);
-  CHECK(broken.report.warnings[0].starts_with("slider.json cannot be read ("));
+  CHECK(broken.report.warnings[0].starts_with("slider.json is not shown ("));
   CHECK(broken.report.warnings[0].ends_with("): the verdicts of the checks are unknown"));
-  CHECK(broken.report.warnings[1].starts_with("slider.events.csv cannot be read ("));
+  CHECK(broken.report.warnings[1].starts_with("slider.events.csv is not shown ("));
   folder.write("slider.json",
                "{\"checks\": 5, \"summary\": [], \"warnings\": {\"a\": [1]}, \"more\": null}");
   folder.write("slider.events.csv",
@@ -103,6 +103,28 @@ TEST_CASE("broken files beside a result do not keep it from being drawn") {
   CHECK(odd.report.checks.empty());
   REQUIRE(odd.report.events.size() == 1);
   CHECK(odd.report.events[0].limit == 2.0);
+}
+
+TEST_CASE("events and verdicts of another run are not shown beside the rows") {
+  const TemporaryFolder folder;
+  const std::string file = run_slider(folder, "0.2");
+  const fs::path kept = folder.path() / "kept.csv";
+  fs::rename(file, kept);
+  commands::RunOptions options;
+  options.cases = {(folder.path() / "slider.yaml").string()};
+  options.folder = folder.path().string();
+  options.settings = {"mu=0.1"};
+  commands::run_command(options);
+  fs::rename(kept, file);
+  const ReadResult mixed = read_result(file, "slider");
+  CHECK(mixed.report.row_count() == 21);
+  CHECK(mixed.report.checks.empty());
+  CHECK(mixed.report.events_total == 0);
+  REQUIRE(mixed.report.warnings.size() == 2);
+  CHECK(mixed.report.warnings[0] ==
+        "slider.json is not shown (it is of another run than the rows): the verdicts of the checks "
+        "are unknown");
+  CHECK(mixed.report.warnings[1].starts_with("slider.events.csv is not shown (it is of another"));
 }
 
 TEST_CASE("a long result is thinned as its case is") {

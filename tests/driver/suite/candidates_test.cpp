@@ -39,6 +39,21 @@ TEST_CASE(
   CHECK(found.faults.empty());
 }
 
+TEST_CASE("a link out of the folder is told and not followed; one within it is a case") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "suite/b");
+  folder.write("private.yaml", "");
+  folder.write("suite/b/one.yaml", "");
+  fs::create_symlink("../private.yaml", folder.path() / "suite/out.yaml");
+  fs::create_symlink("b/one.yaml", folder.path() / "suite/in.yaml");
+  const Candidates found = find_candidates(std::vector{(folder.path() / "suite").string()});
+  CHECK(labels(found) == std::vector<std::string>{"b/one", "in"});
+  REQUIRE(found.faults.size() == 1);
+  CHECK(found.faults[0] ==
+        (folder.path() / "suite/out.yaml").string() +
+            ": is a link out of the folder; name the file itself to have it run");
+}
+
 TEST_CASE("fit files of a folder are not cases, whatever else speaks of calibration is") {
   const TemporaryFolder folder;
   folder.write("case.yaml", "# calibrate:\ntitle: calibrate: me\nfriction: []\n");
