@@ -212,12 +212,12 @@ void Dynamics::choose_scales(double time) {
 }
 
 double Dynamics::slip(double time) {
-  constexpr long kMostSteps = 10'000'000;
+  constexpr long kMostSteps = 50'000;  // of an increment, in some seconds
   constexpr double kRounding = 1e-13;  // of the size of w
   const auto w_of = [&](const State& state) { return sense_ * state[kRelative]; };
   const gsl_odeiv2_system system = Stepper::system(*this);
   stepper_->reset();
-  for (long steps = 0; time < duration_; ++steps) {
+  while (time < duration_) {
     const State before = state_;
     const double begin = time;
     State y;
@@ -225,9 +225,10 @@ double Dynamics::slip(double time) {
     const int status =
         gsl_odeiv2_evolve_apply(stepper_->evolve.get(), stepper_->control.get(),
                                 stepper_->step.get(), &system, &time, duration_, &step_, y.data());
-    if (status != GSL_SUCCESS || !std::isfinite(y[kMotion]) || steps > kMostSteps) {
-      fault_ = steps > kMostSteps ? "the motion of the mass needs too many time steps"
-                                  : "the motion of the mass is not finite";
+    if (status != GSL_SUCCESS || !std::isfinite(y[kMotion]) || ++steps_ > kMostSteps) {
+      fault_ = steps_ > kMostSteps ? "the motion of the mass needs too many time steps; take more "
+                                     "increments, or less stiffness or damping"
+                                   : "the motion of the mass is not finite";
       return begin;
     }
     for (std::size_t i = 0; i < kEntries; ++i) state_[i] = y[i] * scale_[i];
@@ -462,6 +463,7 @@ tl::expected<void, DynamicsFailure> Dynamics::advance(const Quantities& begin,
   const Quantities end = row.quantities;  // the row's own position changes on the way
   end_ = &end;
   duration_ = row.duration;
+  steps_ = 0;
   now_ = end;
   follow_ = follow ? &follow : nullptr;
   varying_ = follow_ != nullptr;

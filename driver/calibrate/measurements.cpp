@@ -196,6 +196,12 @@ class Cleaner {
                                  amount(period, base::kTime, units_), in_range_.first,
                                  amount(in_range_.last, base::kTime, units_)));
     }
+    constexpr double kMostAveraged = 4.0e7;
+    if (static_cast<double>(cycles) * points > kMostAveraged) {
+      return refused(fmt::format("average_cycles: {} points of {} cycles of {} are more than {:g}",
+                                 points, cycles, amount(period, base::kTime, units_),
+                                 kMostAveraged));
+    }
     cleaning::MeanCycle mean = cleaning::mean_cycle(rows_, in_range_.first, period, cycles, points);
     rows_ = std::move(mean.rows);
     if (rows_.size() == 0) return refused("every row is in the dead band");

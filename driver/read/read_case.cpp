@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/read/read_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -68,6 +70,15 @@ void resolve(yaml::Binder& binder, const yaml::Node& root, base::Diagnostics& ou
     for (const Definition& definition : definitions) list.push_back(definition.text);
     return list;
   };
+  // Each formula knows the names of all.
+  constexpr std::size_t kMostParameters = 2000;
+  if (parameters.size() > kMostParameters) {
+    const std::string fault = fmt::format("there are more than {} parameters", kMostParameters);
+    report(binder, root, out, parameters[kMostParameters],
+           {kMostParameters, false, true, {fault, -1, {}}}, names);
+    result.unresolved.assign(names.begin(), names.end());
+    return;
+  }
   // Each round takes away those that the last one had taken their names from: a chain as long as
   // kMostRounds is followed to its end, and all of a longer one counts as unresolved.
   constexpr int kMostRounds = 8;

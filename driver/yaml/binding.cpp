@@ -156,21 +156,13 @@ std::optional<base::Expression> Binder::expression(const Node& node, const Path&
   if (formulas_) {
     formulas_->push_back({path.text(), std::string(node.text()), variables.empty()});
   }
-  std::vector<std::string> known = variables;
-  for (const std::string& name : unresolved_) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
-  }
-  auto compiled = base::Expression::compile(node.text(), known, parameters_);
-  if (!compiled) {
-    expression_error(node, path, compiled.error(), variables);
-    return std::nullopt;
-  }
+  auto compiled = base::Expression::compile(node.text(), variables, parameters_);
+  if (compiled) return std::move(*compiled);
   // The fault of a parameter is reported where it stands, not where it is used.
-  for (std::size_t i = variables.size(); i < known.size(); ++i) {
-    if (compiled->uses(known[i])) return std::nullopt;
+  if (!unresolved_.contains(compiled.error().unknown_name)) {
+    expression_error(node, path, compiled.error(), variables);
   }
-  if (known.size() == variables.size()) return std::move(*compiled);
-  return std::move(*base::Expression::compile(node.text(), variables, parameters_));
+  return std::nullopt;
 }
 
 std::optional<double> Binder::number_with_unit(const Node& node, const Path& path,

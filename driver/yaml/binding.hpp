@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -90,12 +91,12 @@ class Binder {
   /// \param unresolved parameters whose own value is faulty: expressions that use them have no
   /// value, and that is not reported again
   Binder(base::Diagnostics& out, const base::NamedNumbers& parameters,
-         std::vector<std::string> unresolved, std::filesystem::path case_folder, bool allow_outside,
-         const FileWords& words)
+         const std::vector<std::string>& unresolved, std::filesystem::path case_folder,
+         bool allow_outside, const FileWords& words)
       : out_(out),
         words_(words),
         parameters_(parameters),
-        unresolved_(std::move(unresolved)),
+        unresolved_(unresolved.begin(), unresolved.end()),
         case_folder_(std::move(case_folder)),
         allow_outside_(allow_outside) {}
 
@@ -192,7 +193,7 @@ class Binder {
   std::vector<Formula>* formulas_ = nullptr;
   FileWords words_;
   const base::NamedNumbers& parameters_;
-  std::vector<std::string> unresolved_;
+  std::set<std::string, std::less<>> unresolved_;
   std::filesystem::path case_folder_;
   std::vector<std::string> data_files_;
   bool allow_outside_;

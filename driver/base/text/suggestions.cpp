@@ -52,7 +52,7 @@ std::vector<std::string_view> suggestions(std::string_view word,
   constexpr std::size_t kShortestPart = 3;
   if (word.empty() || word.size() > kLongestWord) return {};
   std::vector<std::pair<std::size_t, std::string_view>> ranked;
-  for (const std::string_view name : names) {
+  for (const std::string_view name : names.first(std::min(names.size(), kMostCandidates))) {
     const std::size_t distance = name_distance(word, name);
     if (distance <= std::max(word.size(), name.size()) / 3) {
       ranked.emplace_back(distance, name);

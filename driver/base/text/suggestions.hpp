@@ -13,6 +13,9 @@ namespace slipbench::driver::base {
 /// So many names are shown at once, at most.
 inline constexpr std::size_t kMostSuggestions = 5;
 
+/// So many names are looked at for one that is near, at most: each takes a microsecond.
+inline constexpr std::size_t kMostCandidates = 1000;
+
 /// Optimal string alignment distance: how many letters must be inserted, deleted, replaced or
 /// swapped with their neighbour; blind to case and to '-' and ' ' against '_'.
 [[nodiscard]] std::size_t name_distance(std::string_view a, std::string_view b);

@@ -72,8 +72,32 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
+/// Tells whether the library would read more into a text than a unit: an origin ("m @ 5",
+/// "N from 20"), which moves every number, or an exponent that overflows.
+bool is_more_than_unit(std::string_view text) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  constexpr std::size_t kMostDigits = 3;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    if (is_letter(text[i])) {
+      while (end < text.size() && is_letter(text[end])) ++end;
+      const std::string_view word = text.substr(i, end - i);
+      if (word == "from" || word == "since" || word == "after" || word == "ref") return true;
+    }
+    const bool power = is_letter(text[i]) || text[i] == '^';
+    if (power && end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
+    const std::size_t digits = end;
+    while (power && end < text.size() && is_digit(text[end])) ++end;
+    if (end - digits > kMostDigits || text[i] == '@') return true;
+    i = end;
+  }
+  return false;
+}
+
 Unit parse(ut_system* system, std::string_view text) {
   const std::string_view word = trimmed(text);
+  if (is_more_than_unit(word)) return nullptr;
   // The library reads an empty text as "1" and would stop at a NUL.
   if (word.empty() || word.find('\0') != std::string_view::npos) return nullptr;
   return Unit(ut_parse(system, std::string(word).c_str(), UT_UTF8));

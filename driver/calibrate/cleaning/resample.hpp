@@ -8,7 +8,7 @@
 namespace slipbench::driver::cleaning {
 
 /// More would fill the memory.
-inline constexpr double kMostResampledRows = 1.0e7;
+inline constexpr double kMostResampledRows = 1.0e6;
 
 /// Interpolates rows linearly at ascending times: every look goes on where the last one ended.
 class RowCursor {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,6 +33,13 @@ void read_wrap_angles(yaml::Binder& binder, const yaml::At<NumberOrList>& text,
                       law::SlipRing& ring) {
   if (text.sound && text.value.values.empty()) {
     binder.error(*text.node, text.path, "needs an angle for each ring, found an empty list");
+    return;
+  }
+  constexpr std::size_t kMostRings = 1000;
+  if (text.sound && text.value.values.size() > kMostRings) {
+    binder.error(
+        *text.node, text.path,
+        fmt::format("a belt has at most {} rings, found {}", kMostRings, text.value.values.size()));
     return;
   }
   for (std::size_t i = 0; i < text.value.values.size(); ++i) {

@@ -376,7 +376,7 @@ TEST_CASE("a resampling that would fill the memory is refused") {
   REQUIRE_FALSE(found);
   CHECK(found.error().code == base::kExitBadInput);
   CHECK(found.error().message.find("resample: one row every 1e-12 s makes 8e+12 of 7.95 s, more "
-                                   "than 1e+07: write a longer 'every'") != std::string::npos);
+                                   "than 1e+06: write a longer 'every'") != std::string::npos);
 }
 
 TEST_CASE("positions whose branches are not those of the run are refused with a reason") {
