@@ -620,10 +620,8 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
                        : integrate(i, increment, old));
     here.dissipation += here.update.dissipation;
     here.work += here.update.work;
-    if (here.update.jumps > 0) {
-      here.lost += here.update.lost;
-      here.jumps += here.update.jumps;
-    }
+    here.lost += here.update.lost;
+    here.jumps += here.update.jumps;
     if (auto judged = judge(row_, i); !judged) return judged;
     if (!case_->belt) continue;
     if (auto fault = move_behind(*case_, i, row_)) {

@@ -43,8 +43,8 @@ struct DefinitionRow {
   law::FrictionUpdate update;
   double dissipation = 0.0;  ///< since the start [F L]
   double work = 0.0;         ///< of the friction force over the motion, since the start [F L]
-  double lost = 0.0;         ///< in jumps of the force at constant motion, since the start [F L]
-  std::int64_t jumps = 0;    ///< so far
+  double lost = 0.0;       ///< of the spring's energy, FrictionUpdate::lost, since the start [F L]
+  std::int64_t jumps = 0;  ///< so far
   /// Length that the increment should exceed; 0 where that does not matter.
   law::IncrementThresholds thresholds;
   /// Changes of regime within the increment, where the integration locates them.

@@ -28,8 +28,8 @@ void copy_begin(const Row& before, Row& row) {
 void add_up(const DefinitionRow& before, DefinitionRow& here) {
   here.dissipation = before.dissipation + here.update.dissipation;
   here.work = before.work + here.update.work;
-  here.lost = before.lost;
-  here.jumps = before.jumps;
+  here.lost = before.lost + here.update.lost;
+  here.jumps = before.jumps + here.update.jumps;
 }
 
 /// Tells whether the table of a term, or the place of the connector, has a part in F_C.
@@ -198,10 +198,6 @@ std::size_t Simulation::update_rows_one_by_one(std::span<Row> rows, std::size_t 
     ::new (&here.update) law::FrictionUpdate(law::update(
         definitions_[definition], connector_increment(*case_, rows[k]), before->update.state));
     add_up(*before, here);
-    if (here.update.jumps > 0) {
-      here.lost += here.update.lost;
-      here.jumps += here.update.jumps;
-    }
     if (!judge(rows[k], definition)) return k;
     before = &here;
   }

@@ -406,7 +406,8 @@ void add_definition(const cases::Case& problem, int d, std::vector<Column>& colu
       [](const Cell& at) { return at.own().work; });
   if (problem.integration.snap_back == cases::SnapBackAction::kJump) {
     add("LOST" + suffix, kEnergy,
-        "Energy since the start that the stick spring lost in jumps at constant motion.",
+        "Energy since the start that the stick spring lost in jumps at constant motion, and with "
+        "the contact.",
         [](const Cell& at) { return at.own().lost; });
   }
   if (definition.law.formulation) add_formulation(problem, d, suffix, columns);

@@ -49,8 +49,8 @@ ContinuousMethod continuous_method(const FrictionDefinition& definition);
 /// hardly rises from rest may change between stick and slip many times: errors of up to 1e-6 of the
 /// limit were seen there, whatever the tolerance; corners of the coefficient below some 1e-12 of
 /// the segment's rate are not met, which is seen in the work. Where changes follow each other so
-/// closely that steps have to go over them, by more than 1e-8 of the segment, or that half a
-/// million sub-increments do not reach its end, it is not `converged`.
+/// closely that steps have to go over them, by more than 1e-8 of the segment, or that some
+/// million evaluations of the limit do not reach its end, it is not `converged`.
 ///
 /// \param tolerance of the force as a part of the limit, > 0; other results alike
 /// \param[out] changes of regime inside the segment, if wanted; what was there is forgotten

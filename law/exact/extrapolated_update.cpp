@@ -40,9 +40,8 @@ constexpr double kFirst = 1e-4;
 constexpr double kRounding = 1e-10;
 /// Rounding of a limit as a part of its largest term, as extrapolation enlarges it.
 constexpr double kRoundedLimit = 100.0 * std::numeric_limits<double>::epsilon();
-/// Sub-increments after which a segment is given up: those of some thousand corners, in a second
-/// or two.
-constexpr int kMostSubIncrements = 400000;
+/// Work after which a segment is given up: some thousand corners, in some two seconds.
+constexpr long kMostWork = 8000000;
 
 /// A piece of the segment, as its sub-increments have it.
 struct Run {
@@ -102,7 +101,7 @@ class Pieces {
     double error = std::numeric_limits<double>::infinity();  // of the last piece tried here
     if (steps_.beyond(at_, 0.0)) cross(kSameFraction);       // the limit has jumped below the force
     while (tau_ < 1.0) {
-      if (taken_ > kMostSubIncrements) {
+      if (steps_.work() > kMostWork) {
         converged_ = false;
         return cross(1.0);
       }
@@ -214,7 +213,6 @@ class Pieces {
       for (int i = 1; i <= count; ++i) {
         const double next = i == count ? to : from + (to - from) * i / count;
         result.last = steps_.step(point, tau, next);
-        ++taken_;
         if (i == 1 && count == 1) {
           common = result.last.signature;
           if (!begins(result.last, from, to)) {
@@ -434,6 +432,9 @@ class Pieces {
         const double along = steps_.stick(to) * dot(from, from);
         snap_back_ = std::max({snap_back_, along > 0.0 ? way.steepest / along : 0.0, 1.0});
         if (jumps_++ == 0) jump_onset_ = tau_;
+      } else if (tau_ > 0.0 && run.last.signature.regime == Regime::kOpen) {
+        // What a term without pull has held goes with the limit, and no slip takes it.
+        lost_ += std::max(std::exchange(run.end.dissipation, 0.0), 0.0);
       }
     }
     run.end.slip_rate = run.last.slip_rate;
@@ -480,7 +481,6 @@ class Pieces {
   double lost_ = 0.0;
   double jump_onset_ = 0.0;
   int jumps_ = 0;
-  int taken_ = 0;  ///< sub-increments
   bool converged_ = true;
   bool negative_ = false;  ///< F_C + F_int
   Regime regime_;

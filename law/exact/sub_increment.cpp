@@ -42,6 +42,9 @@ Potential euclidean(const SlipSpace& space) {
   return norm;
 }
 
+/// Work of a limit, in distances to a constant one.
+constexpr long kLimit = 2;
+
 /// The limit over the slip of one step, for the search.
 struct StepLimit {
   SubIncrements& steps;
@@ -52,6 +55,7 @@ struct StepLimit {
   const Limit* constant;
 
   Limit operator()(double slip) const noexcept {
+    steps.count_distance();
     return constant != nullptr ? *constant
                                : steps.limit(tau, {begin.held, begin.accumulated_slip + slip},
                                              length > 0.0 ? slip / length : 0.0);
@@ -96,6 +100,11 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
                  2.0 * (length_ + held + (fixed_ ? 0.0 : points_.stick(1.0))), contact_size_);
   if (ends_where_contact_turns()) no_contact_ = kNoContact * contact_size_;
   least_ = value(*potential_, SlipVector{});
+  // The parts of a sum of powers are searched for, and long where its exponent is near 1.
+  if (potential_->combine == PotentialOperator::kSum && potential_->parts > 1 &&
+      potential_->exponent != 1.0 && potential_->exponent != 2.0) {
+    per_distance_ = static_cast<int>(std::clamp(4.0 / (potential_->exponent - 1.0), 8.0, 400.0));
+  }
   closed_ = !fixed_ && potential_->homogeneous;
   const double half = 0.5 * potential_->exponent;
   smooth_ = potential_->combine == PotentialOperator::kSum && half == std::floor(half) &&
@@ -108,6 +117,7 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
 }
 
 Limit SubIncrements::limit(double tau, const SlipPoint& at, double slip_rate) noexcept {
+  work_ += kLimit;
   Limit l = points_.limit(tau, at.accumulated_slip, slip_rate * inverse_duration_, at.held.front());
   if (l.normal_force <= no_contact_) {
     l.force = l.to_contact = l.to_rate = l.to_slip = 0.0;

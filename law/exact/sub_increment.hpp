@@ -60,8 +60,14 @@ class SubIncrements {
 
   SubIncrement step(const SlipPoint& begin, double from, double to) noexcept;
   double next_knot(double tau, double slip, double end) noexcept {
+    ++work_;
     return points_.next_knot(tau, slip, end);
   }
+  /// Counts a distance to the limit.
+  void count_distance() noexcept { work_ += per_distance_; }
+  /// Work of all steps so far, in distances to a limit that is constant: 50 ns to half a
+  /// microsecond each.
+  long work() const { return work_; }
   double cap() const { return definition_.force_limit; }
   /// Returns the force [F] in whose last digits a limit `mu` F_N is known, however small it is.
   double limit_size(double mu) const { return std::min(mu * contact_size_, cap()); }
@@ -145,6 +151,8 @@ class SubIncrements {
   bool viscous_;  ///< the limit follows the rate of the slip, and the spring does not the limit
   bool at_rest_ = false;    ///< of a viscous force: as near to the limit as rounding
   double last_rate_ = 0.0;  ///< of the last step that slipped
+  long work_ = 0;
+  int per_distance_ = 1;  ///< work of one
   std::optional<SmoothPiece> piece_;
 };
 

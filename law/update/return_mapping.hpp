@@ -55,7 +55,8 @@ struct FrictionUpdate {
   /// 11.4); from 1 on the force has jumped at constant motion (snap-back). 0 where nothing wears,
   /// with an elastic slip, and where the limit sees the accumulated slip of the start.
   double snap_back = 0.0;
-  /// Spring energy that such jumps lost: neither friction work nor stored [F L]. With a jump,
+  /// Spring energy that such jumps lost: neither friction work nor stored [F L]; of
+  /// continuous_update also what a term without pull has held when the limit is gone. With a jump,
   /// `dissipation` is the integral of F_lim over the slip, and `work` all three together.
   double lost = 0.0;
   double jump_onset = 0.0;      ///< the part of the increment that is over at the first jump
