@@ -2,7 +2,7 @@
 #include "driver/yaml/parse.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
+#include <ctime>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,8 +51,9 @@ Tree parsed(const std::string& text) {
   return *tree;
 }
 
-double seconds(const std::chrono::steady_clock::time_point& start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+/// Seconds of the processor: other work on the machine does not count.
+double seconds(std::clock_t start) {
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 TEST_CASE("Maps, lists and texts become a tree") {
@@ -387,7 +388,7 @@ TEST_CASE("Aliases that lead nowhere or back to themselves are refused") {
 
 TEST_CASE("Nesting deeper than 64 is refused, at any depth in no time") {
   CHECK(complaint("a: " + std::string(63, '[') + std::string(63, ']') + "\n").empty());
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   for (const int depth : {65, 1000, 1000000}) {
     const auto size = static_cast<std::size_t>(depth);
     CHECK(complaint("a: " + std::string(size, '[')).find("nested deeper than 64") !=
@@ -419,7 +420,7 @@ TEST_CASE("An alias bomb is refused before it goes off") {
     for (int k = 0; k < 10; ++k) bomb += (k > 0 ? ", *a" : "*a") + std::to_string(i - 1);
     bomb += "]\n";
   }
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const std::string message = complaint(bomb);
   CHECK(seconds(start) < 1.0);
   CHECK(message.find(
@@ -441,7 +442,7 @@ TEST_CASE("A flood of errors costs neither time nor memory") {
   for (int i = 0; i < 200000; ++i) text += "a: 1, ";
   text += "}\n";
   for (int i = 0; i < 100000; ++i) text += "word\n";
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const base::SourceText source("c.yaml", text);
   const auto tree = parse_yaml(source);
   REQUIRE_FALSE(tree.has_value());
@@ -453,7 +454,7 @@ TEST_CASE("A flood of errors costs neither time nor memory") {
 TEST_CASE("A table of a hundred thousand rows is read quickly and keeps its places") {
   std::string text = "rows:\n";
   for (int i = 0; i < 100000; ++i) text += "  - [" + std::to_string(i) + ", 0.25, 1e3, -4, 5]\n";
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const Tree tree = parsed(text);
   CHECK(seconds(start) < 5.0);
   const Node rows = *tree.root().find("rows");
