@@ -551,7 +551,7 @@ def suite_junit(folder):
         return xml.etree.ElementTree.parse(folder / name).getroot()
 
     (folder / "cases/a & b").mkdir(parents=True)
-    hostile = r'"<check> & \"quotes\" \ufffe ]]> \n::error::injected \U0001f527 größe"'
+    hostile = r'"<check> & \"quotes\" ]]> \n::error::injected \U0001f527 größe"'
     (folder / "cases/a & b/'<hostile>\"\x01\n.yaml").write_text(slider(mu=0.3, name=hostile))
     (folder / "cases/holds.yaml").write_text(slider())
     (folder / "cases/unchecked.yaml").write_text(slider().split("checks:")[0])

@@ -1,0 +1,272 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names, links and decks that somebody made to do harm, and --force on files that a command has read.
+
+usage: hostile_files_test.py PROGRAM SOURCE_FOLDER
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+del sys.argv[1:]
+SLIDER = """slipbench: 1
+title: {title}
+connector: {{type: SLOT}}
+friction: [{{predefined: {{}}, coefficient: 0.2, stick: {{stiffness: 1000}}}}]
+history:
+{history}"""
+STEP = '  - {{step: {name}, duration: 1, increments: 10, motion: {{CP1: {{to: 0.1}}}}, force: {{f2: 100}}}}\n'
+MEASURED = "  csv: data.csv\n  time: t\n  columns: {CP1: x, f2: f}\n"
+
+
+SLOT = """*NODE
+1, 0., 0., 0.
+2, 7., 0., 0.
+*ELEMENT, TYPE=CONN3D2, ELSET=PIN
+1, 1, 2
+*CONNECTOR SECTION, ELSET=PIN, BEHAVIOR=B
+SLOT
+*CONNECTOR BEHAVIOR, NAME=B
+*CONNECTOR FRICTION, PREDEFINED
+150.
+*FRICTION, ELASTIC SLIP=0.002
+0.2
+*AMPLITUDE, NAME=A, DEFINITION=EQUALLY SPACED, FIXED INTERVAL=1.
+0., 1., 0., 1., 0.
+*STEP
+*STATIC, DIRECT
+0.02, 4.
+*CONNECTOR MOTION, AMPLITUDE=A
+PIN, 1, 0.4
+*CHANGE FRICTION, ELSET=PIN
+*FRICTION
+0.5
+*END STEP
+"""
+
+
+class HostileFiles(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="hostile-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / name).write_text(text)
+
+    def slider(self, name="case.yaml", title="Slider", step="pull"):
+        self.write(name, SLIDER.format(title=title, history=STEP.format(name=step)))
+
+    def run_tool(self, *words, code=0, stdin=None, env=None):
+        done = subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, stdin=stdin,
+                              env={**os.environ, **(env or {})})
+        self.assertEqual(done.returncode, code, f"{words}: {done.stdout}{done.stderr}")
+        return done.stdout + done.stderr
+
+    def keeps(self, kept, *words, stdin=None):
+        """The command ends with 4 for a file that it has read, which stays as it is."""
+        before = (self.folder / kept).read_bytes()
+        said = self.run_tool(*words, "--force", code=4, stdin=stdin)
+        self.assertIn("is an input", said)
+        self.assertEqual((self.folder / kept).read_bytes(), before)
+
+    def test_force_replaces_nothing_that_was_read(self):
+        self.write("data.csv", "t,x,f\n0,0,100\n1,0.1,100\n")
+        self.write("measured.yaml", SLIDER.format(title="M", history=MEASURED))
+        self.run_tool("run", "measured.yaml", "-o", "out")
+        for to in ("table", "numbers", "abaqus"):
+            self.keeps("data.csv", "export", "measured.yaml", "--to", to, "-o", "data.csv")
+        (self.folder / "picture.svg").symlink_to("data.csv")
+        self.keeps("data.csv", "plot", "measured.yaml", "-o", "picture.svg")
+        self.keeps("data.csv", "run", "measured.yaml", "-o", self.linked("data.csv", "out2/measured.csv"))
+        self.slider()
+        with open(self.folder / "case.yaml") as text:
+            self.keeps("case.yaml", "check", "-", "--json", "case.yaml", stdin=text)
+        with open(self.folder / "case.yaml") as text:
+            self.keeps("case.yaml", "export", "-", "--to", "abaqus", "-o", "case.yaml", stdin=text)
+
+    def linked(self, kept, name):
+        """Gives a file another name; returns that one's folder."""
+        (self.folder / name).parent.mkdir()
+        os.link(self.folder / kept, self.folder / name)
+        return (self.folder / name).parent
+
+    def test_a_journal_or_tally_takes_the_place_of_no_input(self):
+        for name in ("press_fit.yaml", "press_fit_sweep.yaml"):
+            shutil.copy(SOURCE / "cases/sweeps" / name, self.folder)
+        for kept in ("press_fit.yaml", "press_fit_sweep.yaml"):
+            for way, link in (("hard", os.link), ("soft", os.symlink)):
+                for ending, words in ((".journal", ()), (".tally", ("--no-rows",))):
+                    out = self.folder / f"{kept}.{way}{ending}"
+                    out.mkdir()
+                    link(self.folder / kept, out / f"press_fit_sweep{ending}")
+                    self.keeps(kept, "sweep", "press_fit_sweep.yaml", "-o", out, *words)
+
+    def test_a_deck_and_what_it_includes_stay(self):
+        head, steps = SLOT.split("*STEP")
+        self.write("head.inc", head)
+        self.write("slot.inp", "*INCLUDE, INPUT=head.inc\n*STEP" + steps)
+        self.run_tool("import", "slot.inp", "-o", "slot.yaml")
+        for kept in ("slot.inp", "head.inc"):
+            self.keeps(kept, "import", "slot.inp", "-o", kept)
+
+    def test_a_deck_with_a_part_that_means_nothing_is_refused(self):
+        self.write("slot.inp", SLOT)
+        self.run_tool("import", "slot.inp", "-o", "slot.yaml")
+        for old, new, words in (("0.02, 4.", "0.02, -4.", "times of 0 or more"), ("2, 7., 0., 0.", "2, abc, 0., 0.", "abc"), ("2, 7., 0., 0.", "2, 1e400, 0., 0.", "1e400"),
+                                ("*CHANGE FRICTION, ELSET=PIN", "*CHANGE FRICTION, ELSET=PINN", "no element set"), ("*CHANGE FRICTION, ELSET=PIN", "*CHANGE FRICTION", "ELSET"),
+                                ("INTERVAL=1.", "INTERVAL=abc", "FIXED INTERVAL"), ("INTERVAL=1.", "INTERVAL=-1.", "FIXED INTERVAL"), (", FIXED INTERVAL=1.", "", "FIXED INTERVAL"),
+                                ("PIN, 1, 0.4", "PINN, 1, 0.4", "no element set"), ("SLIP=0.002", "SLIP=0", "above 0"),
+                                ("*AMPLITUDE, NAME=A", "*AMPLITUDE, NAME=A\n0., 0., 9., 1.\n*AMPLITUDE, NAME=A", "has the name of the one in"),
+                                ("*NODE", "*PARAMETER\na = 1\na = 2\n*NODE", "stated twice")):
+            self.assertEqual(SLOT.count(old), 1, old)
+            self.write("slot.inp", SLOT.replace(old, new))
+            self.assertIn(words, self.run_tool("import", "slot.inp", "-o", "slot.yaml", "--force", code=2))
+
+    def test_sets_of_sets_are_read_at_any_depth(self):
+        depth = 20000
+        chain = [f"*ELSET, ELSET=S{i}\nS{i + 1}\n" for i in range(depth)] + [f"*ELSET, ELSET=S{depth}\n1\n"]
+        for sets in (chain, chain[::-1]):
+            deck = SLOT.replace("ELSET=PIN, BEHAVIOR", "ELSET=S0, BEHAVIOR").replace("*CONNECTOR SECTION", "".join(sets) + "*CONNECTOR SECTION")
+            self.write("slot.inp", deck)
+            self.assertIn("CP1", self.run_tool("import", "slot.inp"))
+
+    def test_names_with_control_characters_are_refused(self):
+        for name in ("a\n::error::x.yaml", "a\x1b[31m.yaml", "a\u202e.yaml", "a\u061c.yaml", "a\u009b.yaml"):
+            self.slider(name)
+            for words in (("run", name), ("check", name), ("plot", name, "-o", "x.svg"), ("report", name, "-o", "x.html"),
+                          ("run", "case.yaml", "-o", name)):
+                said = self.run_tool(*words, code=2)
+                self.assertIn("holds control characters", said)
+                self.assertNotIn("\n::error", said)
+                self.assertFalse(set("\x1b\u202e\u061c\u009b") & set(said), said)
+        # In a folder they are found without being named.
+        said = self.run_tool("check", ".")
+        self.assertFalse(set("\x1b\u202e\u061c\u009b") & set(said), said)
+
+    def test_what_a_message_quotes_of_a_file_cannot_reach_the_terminal(self):
+        self.write("c.csv", "# columns: t [s], CP1 [m\x1b[2JX], CSF1 [N\u202e]\nt,CP1,CSF1\n0,0,1\n1,1,2\n")
+        said = self.run_tool("plot", "c.csv", "--y", "CP1", "--y", "CSF1", "-o", "c.svg", code=2)
+        self.assertIn("CP1", said)
+        self.assertFalse(set("\x1b\u202e") & set(said), said)
+
+    def test_a_sweep_script_has_no_line_of_its_file_name(self):
+        for name in ("a'b $(touch ran).yaml", "--wrap=x.yaml"):
+            text = (SOURCE / "cases/sweeps/press_fit_sweep.yaml").read_text()
+            shutil.copy(SOURCE / "cases/sweeps/press_fit.yaml", self.folder)
+            self.write(name, text)
+            self.run_tool("sweep", f"./{name}", "-o", "out", "--emit", "slurm", "--rate", "1000")
+            script = next((self.folder / "out").glob("*.slurm"))
+            jobs = re.findall(r"(?m)^#SBATCH --job-name=(.*)$", script.read_text())
+            self.assertEqual(len(jobs), 1)
+            self.assertRegex(jobs[0], r"^\w+$")
+            script.unlink()
+
+    def test_a_title_is_no_keyword_of_a_deck(self):
+        for title in ("*INCLUDE, INPUT=evil.inp", "  *EL FILE", "#include /etc/passwd", "/MAT/LAW1", "$ x"):
+            self.slider(title=f'"{title}"', step="'x\", INC=5, NAME=\"y'")
+            for to in ("abaqus", "radioss", "lsdyna", "opensees"):
+                self.run_tool("export", "case.yaml", "--to", to, "-o", f"deck.{to}", "--force")
+                lines = (self.folder / f"deck.{to}").read_text().splitlines()
+                self.assertFalse([line for line in lines if line.strip() == title.strip()], to)
+            steps = [line for line in (self.folder / "deck.abaqus").read_text().splitlines() if line.startswith("*STEP")]
+            self.assertEqual(steps[0].count('"'), 2, steps)
+
+    def test_files_that_include_the_next_one_twice_are_refused_in_time(self):
+        for dialect, line, ending, begin in (("abaqus", "*INCLUDE, INPUT={}.inc\n", ".inp", "*HEADING\n"), ("radioss", "#include {}.inc\n", "_0000.rad", "#RADIOSS STARTER\n"),
+                                             ("lsdyna", "*INCLUDE\n{}.inc\n", ".k", "*KEYWORD\n")):
+            for i in range(40):
+                self.write(f"{dialect}/{i}.inc", 2 * line.format(i + 1))
+            self.write(f"{dialect}/40.inc", "")
+            self.write(f"{dialect}/top{ending}", begin + line.format(0))
+            start = time.monotonic()
+            said = self.run_tool("import", f"{dialect}/top{ending}", code=2)
+            self.assertLess(time.monotonic() - start, 20)
+            self.assertRegex(said, "included more than once are more than 16 MiB|include each other")
+
+    def refused_in_time(self, text, words, code=2):
+        self.write("case.yaml", text)
+        start = time.monotonic()
+        said = self.run_tool("run", "case.yaml", "--no-output", code=code)
+        self.assertLess(time.monotonic() - start, 20)
+        self.assertIn(words, said)
+        self.assertLess(len(said), 20000)
+
+    def test_much_of_one_thing_is_refused_in_time(self):
+        case = SLIDER.format(title="Much", history=STEP.format(name="a"))
+        for formula in ("= q{}", "= p{1}", "=1"):
+            parameters = "".join(f"  p{i}: {formula.format(i, (i + 1) % 60000)}\n" for i in range(60000))
+            self.refused_in_time(case + "parameters:\n" + parameters, "there are more than 2000 parameters")
+        columns = ", ".join(f"CP{i}" for i in range(10, 100000))
+        self.refused_in_time(case + f"output: {{columns: [{columns}]}}\n", "no result column 'CP10'")
+        steps = "".join(f"  - {{step: s{i}, increments: 1}}\n" for i in range(10000))
+        checks = "".join(f"  - {{name: c{i}, quantity: CSF1, step: z{i}, against: {{expression: '= 20'}}, tolerance: {{absolute: 1, why: a}}}}\n" for i in range(5000))
+        self.refused_in_time(case + steps + "checks:\n" + checks, "no step 'z0'")
+        rings = case.replace("{type: SLOT}", "{type: SLIPRING, wrap_angle: [" + "0.1, " * 20000 + "0.1]}")
+        self.refused_in_time(rings, "a belt has at most 1000 rings")
+
+    def test_an_increment_that_does_not_end_is_given_up(self):
+        potential = "potential: {exponent: 1.0001, terms: [{component: 2}, {component: 3}]}, contact_force: 1, coefficient: 0.2, stick: {elastic_slip: 0.01}"
+        corner = "slipbench: 1\nconnector: {type: SLIDE-PLANE}\nintegration: {method: exact}\nfriction: [{" + potential + "}]\n" \
+                 "history: [{step: a, increments: 1, force: {f1: 100}, motion: {CP2: {to: 0.03}, CP3: {to: 0.01}}}]\n"
+        self.refused_in_time(corner, "change too often within the increment", code=3)
+        mass = "slipbench: 1\nconnector: {type: SLOT}\nfriction: [{predefined: {}, coefficient: 0.2, stick: {stiffness: 1000}}]\n" \
+               "elasticity: [{component: 1, stiffness: 100}]\ndynamics: {mass: 1, belt_velocity: 0.05}\ndamping: [{component: 1, coefficient: 1.0e6}]\n" \
+               "history: [{step: a, duration: 5, increments: 1, force: {f2: 10}}]\n"
+        self.refused_in_time(mass, "needs too many time steps", code=3)
+
+    def test_checks_of_nothing_do_not_pass(self):
+        self.write("fall.csv", "t,CSF1\n0,0\n0.5,20\n0.4,20\n1,20\n")
+        self.write("one.csv", "t,CSF1\n0.99,20\n250,4000\n")
+        check = "checks: [{{name: c, quantity: CSF1, {}, tolerance: {{absolute: 1000, why: a}}}}]\n"
+        case = SLIDER.format(title="Checks", history=STEP.format(name="a"))
+        for criterion in ("peak", "plateau", "area", "sprague_geers"):
+            for curve, words in (("fall", "the times of the reference fall"), ("one", "fewer than two rows of the reference")):
+                bound = check if criterion != "sprague_geers" else check.replace("1000", "0.9")
+                self.write("case.yaml", case + bound.format(f"criterion: {criterion}, against: {{curve: {curve}.csv}}"))
+                self.assertIn(words, self.run_tool("check", "case.yaml", code=1))
+        self.write("case.yaml", case + check.format('against: {expression: "=  CSF1"}'))
+        self.assertIn("compare it with itself", self.run_tool("check", "case.yaml", code=2))
+        self.write("case.yaml", case)
+        self.assertIn("warning: no case has a check", self.run_tool("check", "case.yaml"))
+        self.assertIn("error: no case has a check", self.run_tool("check", "case.yaml", "--strict", code=1))
+
+    def test_a_unit_has_no_origin(self):
+        case = SLIDER.format(title="U", history=STEP.format(name="a")).replace("connector", "units: {length: mm, force: N, time: s}\nconnector")
+        for old, new in (("to: 0.1", "to: 1 m @ 5"), ("f2: 100", "f2: 100 N from 20"), ("length: mm", "length: mm @ 3"), ("to: 0.1", "to: 1 m^99999999999999999999")):
+            self.assertEqual(case.count(old), 1)
+            self.write("case.yaml", case.replace(old, new))
+            self.assertIn("unit", self.run_tool("run", "case.yaml", "--no-output", code=2))
+
+    def test_links_out_of_a_folder_are_not_followed(self):
+        self.slider("suite/own.yaml")
+        self.slider("private.yaml", title="Private")
+        (self.folder / "suite/link.yaml").symlink_to("../private.yaml")
+        for words in (("check", "suite", "--report", "page.html"), ("report", "suite", "-o", "page.html", "--force")):
+            said = self.run_tool(*words, code=4)
+            self.assertIn("link.yaml: is a link out of the folder", said)
+            if (self.folder / "page.html").exists():
+                self.assertNotIn("Private", (self.folder / "page.html").read_text())
+
+    def test_apostrophes_are_drawn(self):
+        for title in ("Pin of 2'' in a bush", "'A' against B", "it's `x` \\\\ \\\"q\\\" '"):
+            self.slider("it's 'q''.yaml", title=f'"{title}"')
+            self.run_tool("plot", "it's 'q''.yaml", "-o", "x.svg", env={"GNUTERM": "qt"})
+            self.assertIn("Pin of 2'' in" if title.startswith("Pin") else "x" if title[0] == "i" else "'A' against", (self.folder / "x.svg").read_text())
+
+    def test_a_unit_without_a_data_base_of_units_is_refused(self):
+        self.write("case.yaml", SLIDER.format(title="U", history=STEP.format(name="a")).replace("connector", "units: {length: mm, force: N, time: s}\nconnector"))
+        self.run_tool("export", "case.yaml", "--to", "fmu", "-o", "u.fmu")
+        said = self.run_tool("export", "case.yaml", "--to", "fmu", "-o", "none.fmu", env={"UDUNITS2_XML_PATH": "/nonexistent"}, code=4)
+        self.assertIn("unit data base cannot be read", said)
+        self.assertFalse((self.folder / "none.fmu").exists())
+
+
+unittest.main()
