@@ -159,8 +159,8 @@ TEST_CASE("a full disk leaves the old curve as it was") {
   const std::string once = file_text(folder.path() / "golden/belt.csv");
   // No file may grow: the system's message for what happens on a full disk.
   const Ended ended =
-      slipbench(folder, "--version > /dev/null; trap '' XFSZ; ulimit -f 0; GCOV_PREFIX=counters '" + kProgram +
-                            "' bless belt.yaml --set mu=0.3 --reason two");
+      slipbench(folder, "--version > /dev/null; trap '' XFSZ; ulimit -f 0; GCOV_PREFIX=counters '" +
+                            kProgram + "' bless belt.yaml --set mu=0.3 --reason two");
   CHECK(ended.code == 4);
   CHECK(file_text(folder.path() / "golden/belt.csv") == once);
   CHECK(files_in(folder.path() / "golden") == 1);

@@ -390,9 +390,9 @@ TEST_CASE("a script tells numbers and texts so that gnuplot reads them back") {
   script.block("ROWS", "1 2\n");
   const std::string text = script.text(*begun, "A title", 300);
   CHECK(contains(text, "TERMINAL = \"pdfcairo"));
-  CHECK(contains(
-      text,
-      "TITLE = 'A title'\nTITLE_2 = ''\nHEIGHT = 300.0\nHEAD = 60.0\nDARK = 0\nPLAIN = \"it\\047s\"\n"));
+  CHECK(contains(text,
+                 "TITLE = 'A title'\nTITLE_2 = ''\nHEIGHT = 300.0\nHEAD = 60.0\nDARK = 0\nPLAIN = "
+                 "\"it\\047s\"\n"));
   CHECK(contains(text, "array LIST[2]\nLIST[1] = 0.1\nLIST[2] = NaN\n"));
   CHECK(contains(text, "$ROWS << END\n1 2\nEND\n"));
   CHECK(contains(text, "/style.gp'\n"));
