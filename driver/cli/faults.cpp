@@ -112,7 +112,7 @@ std::string fault_in(const CLI::App& app, const CLI::App& command, const CLI::Pa
     if (word.size() > 1 && word.front() == '-') return unknown_flag(app, command, word);
   }
   if (!left.empty()) return in_quotes(left.front()) + " is one argument too many";
-  const std::string message = error.what();
+  std::string message = error.what();
   const CLI::Option* option = option_in(command, message);
   if (option == nullptr) return message;
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {

@@ -177,8 +177,6 @@ class Reader {
       node_blocks_.emplace_back(part_, &block);
     } else if (keyword == "ELEMENT") {
       read_elements(block);
-    } else if (keyword == "ELSET") {
-      return;
     } else if (keyword == "ORIENTATION") {
       read_orientation(block);
     } else if (keyword == "CONNECTOR SECTION") {
@@ -195,7 +193,7 @@ class Reader {
       read_boundary(block);
     } else if (keyword == "FRICTION" || keyword == "SURFACE INTERACTION" || keyword == "GAP" ||
                keyword == "HEADING" || keyword == "ASSEMBLY" || keyword == "END ASSEMBLY" ||
-               keyword == "END INSTANCE" || keyword == "PARAMETER") {
+               keyword == "END INSTANCE" || keyword == "PARAMETER" || keyword == "ELSET") {
       return;
     } else if (keyword.starts_with("CONNECTOR")) {
       deck_.error(block.where, block, "stands outside of a *CONNECTOR BEHAVIOR");
@@ -717,7 +715,7 @@ class Reader {
   void find_positions() {
     for (const auto& [part, block] : node_blocks_) {
       if (!value_of(*block, "SYSTEM").empty() || block->has("INPUT")) continue;
-      deck_.for_each_line(*block, [&, &part = part](std::string_view line) {
+      deck_.for_each_line(*block, [&, &part = part, block = block](std::string_view line) {
         long number = 0;
         const auto [end, fault] = std::from_chars(line.data(), line.data() + line.size(), number);
         if (fault != std::errc()) return;
