@@ -141,7 +141,7 @@ const ReportColumn* find(const CaseReport& report, const std::string& name) {
   return found == report.columns.end() ? nullptr : &*found;
 }
 
-/// Of files beside a result that a program which was killed left, or a user brought together.
+/// Reason not to show a file that a killed program left beside a result, or a user brought there.
 constexpr const char* kOtherRun = "it is of another run than the rows";
 
 /// A file beside a result that is there but tells nothing must not look like one that is missing.

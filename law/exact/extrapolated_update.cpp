@@ -433,7 +433,7 @@ class Pieces {
         snap_back_ = std::max({snap_back_, along > 0.0 ? way.steepest / along : 0.0, 1.0});
         if (jumps_++ == 0) jump_onset_ = tau_;
       } else if (tau_ > 0.0 && run.last.signature.regime == Regime::kOpen) {
-        // What a term without pull has held goes with the limit, and no slip takes it.
+        // No slip takes the energy that a term without pull has held: it goes with the limit.
         lost_ += std::max(std::exchange(run.end.dissipation, 0.0), 0.0);
       }
     }

@@ -117,6 +117,14 @@ std::string input_sentence(const fs::path& target, const std::string& input = {}
                      target.string(), input.empty() ? "" : " (" + input + ")");
 }
 
+/// The input of a list that `target` is, in a sentence, or nothing.
+std::string listed_fault(const fs::path& target, std::span<const std::string> inputs) {
+  for (const std::string& input : inputs) {
+    if (is_same_file(target, input)) return input_sentence(target, input);
+  }
+  return {};
+}
+
 /// The file at `place` that must stay, in a sentence, or nothing.
 std::string foreign_fault(const fs::path& target, const fs::path& place, const FileMark& mark,
                           bool force, bool renewed) {
@@ -143,18 +151,14 @@ std::string obstacle(const fs::path& target, const fs::path& place, const FileMa
              place.native().size() >= PATH_MAX) {
     return fmt::format("{}: cannot be written: {}", target.string(), reason(ENAMETOOLONG));
   }
-  for (const std::string& input : overwriting.inputs) {
-    if (is_same_file(target, input)) return input_sentence(target, input);
-  }
+  if (std::string fault = listed_fault(target, overwriting.inputs); !fault.empty()) return fault;
   return foreign_fault(target, place, mark, overwriting.force, overwriting.renewed);
 }
 
 }  // namespace
 
 std::string input_fault(const fs::path& target, std::span<const std::string> inputs) {
-  for (const std::string& input : inputs) {
-    if (is_same_file(target, input)) return input_sentence(target, input);
-  }
+  if (std::string fault = listed_fault(target, inputs); !fault.empty()) return fault;
   return was_read(target) ? input_sentence(target) : std::string();
 }
 

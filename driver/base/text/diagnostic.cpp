@@ -227,7 +227,7 @@ std::string in_words(std::span<const std::string_view> names, std::string_view c
 std::string printable_lines(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    // What is plain, or is a colour, stays; the rest is printed as a part of a line is.
+    // Plain characters and colours stay; the rest is printed as a part of a line is.
     const auto plain = [](char c) { return (c >= ' ' && c < 0x7F) || c == '\n' || c == '\t'; };
     auto end = static_cast<std::size_t>(std::ranges::find_if_not(text, plain) - text.begin());
     if (text.substr(end).starts_with("\033[")) {
