@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/files/regular_file.hpp"
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/source_text.hpp"
 #include "driver/results/events.hpp"
@@ -58,7 +58,7 @@ std::optional<std::vector<results::RegimeHistory>> read_events(const fs::path& f
                                                                const fs::path& result,
                                                                const results::PlotData& data) {
   const std::set<std::string> known = results::comment_lines(result);
-  std::ifstream in(file);
+  auto in = base::open_regular(file);
   if (!in) return std::nullopt;
   std::map<std::string, std::size_t, std::less<>> places;
   for (std::size_t d = 0; d < data.definitions.size(); ++d) {
@@ -70,7 +70,7 @@ std::optional<std::vector<results::RegimeHistory>> read_events(const fs::path& f
   std::vector<bool> begun(data.definitions.size());
   bool header = false;
   double before = start;
-  for (std::string line; std::getline(in, line);) {
+  for (std::string line; std::getline(*in, line);) {
     if (line.starts_with('#')) {
       if (!known.contains(line)) return std::nullopt;
       continue;

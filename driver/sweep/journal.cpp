@@ -139,7 +139,8 @@ tl::expected<std::unique_ptr<Journal>, std::string> Journal::open(const fs::path
   std::unique_ptr<Journal> journal(new Journal(path, sweep));
   constexpr mode_t kReadWrite = 0666;
   const int how = use == Use::kRead ? O_RDONLY : O_RDWR | O_APPEND | O_CREAT;
-  journal->descriptor_ = ::open(path.c_str(), how | O_CLOEXEC, kReadWrite);
+  // A pipe is not waited for: lock() refuses it.
+  journal->descriptor_ = ::open(path.c_str(), how | O_CLOEXEC | O_NONBLOCK, kReadWrite);
   if (journal->descriptor_ < 0) {
     return tl::unexpected(fmt::format("{}: cannot be {}: {}", path.string(),
                                       use == Use::kRead ? "read" : "written", reason()));

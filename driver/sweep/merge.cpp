@@ -5,13 +5,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <span>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include "driver/base/files/regular_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/sweep/rows.hpp"
 #include "driver/sweep/samples.hpp"
@@ -49,11 +48,9 @@ std::string Parts::add_journal(const fs::path& file) {
 }
 
 std::string Parts::add_rows(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    return fmt::format("{}: cannot be read: {}", file.string(),
-                       std::generic_category().message(errno));
-  }
+  auto opened = base::open_regular(file);
+  if (!opened) return opened.error();
+  std::ifstream& in = *opened;
   std::string head;
   std::string line;
   std::optional<Part> part;

@@ -5,16 +5,15 @@
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include "driver/base/files/regular_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/hash.hpp"
 #include "driver/sweep/state_bytes.hpp"
@@ -115,12 +114,9 @@ base::FileMark tally_mark(const Sweep& sweep) {
 
 tl::expected<PartialTally, std::string> read_tally(const fs::path& path, const Sweep& sweep,
                                                    const std::string& identity) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    return tl::unexpected(fmt::format("{}: cannot be read: {}", path.string(),
-                                      std::generic_category().message(errno)));
-  }
-  const std::string file((std::istreambuf_iterator<char>(stream)), {});
+  auto stream = base::open_regular(path);
+  if (!stream) return tl::unexpected(stream.error());
+  const std::string file((std::istreambuf_iterator<char>(*stream)), {});
   std::string_view bytes = file;
   const auto fault = [&](const char* what) { return tl::unexpected(path.string() + ": " + what); };
   if (!bytes.starts_with(kMark)) return fault("is no tally of a sweep");

@@ -10,6 +10,7 @@
 
 #include "driver/base/csv/csv_fields.hpp"
 #include "driver/base/csv/line_reader.hpp"
+#include "driver/base/files/regular_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/table/hdf5_plugin.hpp"
 #include "driver/table/npy.hpp"
@@ -158,6 +159,12 @@ Opened open_table(const fs::path& file) {
   const std::string name = base::printable(file.string()) + ": ";
   const auto format = format_of(file);
   if (!format) return tl::unexpected(name + "is no .csv, .npy or .h5 file by its name");
+  // Readers of CSV say so by themselves.
+  if (*format != TableFormat::kCsv) {
+    if (const auto regular = base::open_regular(file); !regular) {
+      return tl::unexpected(regular.error());
+    }
+  }
   Opened table = *format == TableFormat::kCsv   ? open_as<CsvTable>(file)
                  : *format == TableFormat::kNpy ? open_as<NpyTable>(file)
                                                 : open_hdf5(file);

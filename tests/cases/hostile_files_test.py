@@ -214,6 +214,21 @@ class HostileFiles(unittest.TestCase):
         rings = case.replace("{type: SLOT}", "{type: SLIPRING, wrap_angle: [" + "0.1, " * 20000 + "0.1]}")
         self.refused_in_time(rings, "a belt has at most 1000 rings")
 
+    def test_no_command_waits_for_a_pipe(self):
+        self.slider("case.yaml")
+        self.write("case.yaml", (self.folder / "case.yaml").read_text() + "parameters: {x: 1}\n")
+        self.write("sweep.yaml", "slipbench: 1\nsweep: {case: case.yaml, vary: {x: {uniform: [0, 1]}}, samples: 4, collect: {a: {max: CSF1}}}\n")
+        self.run_tool("run", "case.yaml", "-o", "out")
+        (self.folder / "out" / "case.events.csv").unlink()
+        for name in ("sweep.1of1.csv", "sweep.1of1.tally", "sweep.journal", "deck.k", "out/case.events.csv", "rows.csv", "rows.npy"):
+            os.mkfifo(self.folder / name)
+        for code, *words in ((2, "merge", "sweep.yaml", "sweep.1of1.csv"), (2, "merge", "sweep.yaml", "sweep.1of1.tally"), (2, "merge", "sweep.yaml", "sweep.journal"),
+                             (4, "sweep", "sweep.yaml"), (4, "import", "deck.k"), (4, "plot", "rows.csv", "-o", "a.svg"), (4, "convert", "rows.csv", "-o", "a.npy"),
+                             (4, "convert", "rows.npy", "-o", "a.csv")):
+            self.assertRegex(self.run_tool(*words, code=code), "is no regular file|is not a regular file|is a pipe, not a file", words)
+        self.run_tool("plot", "out/case.csv", "-o", "a.svg")
+        self.run_tool("report", "out/case.csv", "-o", "a.html")
+
     def test_an_increment_that_does_not_end_is_given_up(self):
         potential = "potential: {exponent: 1.0001, terms: [{component: 2}, {component: 3}]}, contact_force: 1, coefficient: 0.2, stick: {elastic_slip: 0.01}"
         corner = "slipbench: 1\nconnector: {type: SLIDE-PLANE}\nintegration: {method: exact}\nfriction: [{" + potential + "}]\n" \
