@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/units/expression.hpp"
 
 namespace slipbench::driver::import {
 namespace {
@@ -269,12 +270,17 @@ class FormulaReader {
 
   ScriptNumber literal() {
     double value = 0.0;
-    std::string_view rest = text_.substr(at_);
+    const std::string_view rest = text_.substr(at_);
+    std::size_t end = std::min(rest.find_first_not_of("0123456789."), rest.size());
+    std::string copy(rest.substr(0, end));
     // Fortran writes the exponent of a double with a D.
-    std::string copy(rest);
-    for (std::size_t i = 1; i < copy.size() && language_ == FormulaLanguage::kFortran; ++i) {
-      const bool exponent = copy[i] == 'd' || copy[i] == 'D';
-      if (exponent && (is_digit(copy[i - 1]) || copy[i - 1] == '.')) copy[i] = 'e';
+    const bool fortran = language_ == FormulaLanguage::kFortran;
+    if (end < rest.size() &&
+        std::string_view(fortran ? "eEdD" : "eE").find(rest[end]) != rest.npos) {
+      copy += 'e';
+      ++end;
+      if (end < rest.size() && (rest[end] == '+' || rest[end] == '-')) copy += rest[end++];
+      while (end < rest.size() && is_digit(rest[end])) copy += rest[end++];
     }
     const auto read = std::from_chars(copy.data(), copy.data() + copy.size(), value);
     if (read.ec != std::errc{}) {
@@ -317,7 +323,7 @@ class FormulaReader {
     if (!dollar && whole == (python ? "True" : "true")) return truth(true);
     if (!dollar && whole == (python ? "False" : "false")) return truth(false);
     at_ = begin;
-    fail(fmt::format("unknown name '{}'", base::printable(whole)), std::string(whole));
+    fail(fmt::format("unknown name '{}'", base::shortened(whole, 60)), std::string(whole));
     return {};
   }
 
@@ -421,7 +427,7 @@ class FormulaReader {
       if (const auto value = result(name, arguments)) return exact(*value);
     }
     at_ = begin;
-    fail(fmt::format("there is no function '{}' of {} number{}", base::printable(name),
+    fail(fmt::format("there is no function '{}' of {} number{}", base::shortened(name, 60),
                      arguments.size(), arguments.size() == 1 ? "" : "s"),
          std::string(name));
     return {};
@@ -441,6 +447,10 @@ class FormulaReader {
 tl::expected<ScriptNumber, FormulaFault> evaluate_formula(std::string_view text,
                                                           const ScriptNumbers& numbers,
                                                           FormulaLanguage language) {
+  if (text.size() > base::kLongestFormula) {
+    return tl::unexpected(FormulaFault{
+        fmt::format("the formula has more than {} characters", base::kLongestFormula), 0, {}});
+  }
   return FormulaReader(text, numbers, language).read();
 }
 

@@ -229,6 +229,42 @@ class HostileFiles(unittest.TestCase):
         self.run_tool("plot", "out/case.csv", "-o", "a.svg")
         self.run_tool("report", "out/case.csv", "-o", "a.html")
 
+    def test_scripts_and_decks_of_many_names_are_read_in_time(self):
+        models = "frictionModel Coulomb 1 0.1\n"
+        python = "import openseespy.opensees as ops\nops.frictionModel('Coulomb', 1, 0.1)\n"
+        node = "*NODE\n1, 0., 0., 0.\n2, 7., 0., 0.\n"
+        for name, text, words in (
+                ("names.tcl", models + "".join(f"set a{i} 1\n" for i in range(25000)) + "".join(f"proc p{i} {{}} {{}}\n" for i in range(25000)), "Coulomb 1"),
+                ("names.py", python + "".join(f"a{i} = 1\n" for i in range(20000)) + "".join(f"def f{i}(): pass\n" for i in range(20000)), "Coulomb 1"),
+                ("sum.tcl", models + "set mu [expr {1" + "+1" * 300000 + "}]\n" + "".join(f"frictionModel Coulomb {i} $mu\n" for i in range(2, 5000)), "Coulomb 1"),
+                ("calls.tcl", models + "set mu [expr {" + "[expr 1]+" * 60000 + "1}]\n" , "Coulomb 1"),
+                ("sum.py", python + "mu = 1" + "+1" * 300000 + "\n" + "".join(f"ops.frictionModel('Coulomb', {i}, mu)\n" for i in range(2, 5000)), "Coulomb 1"),
+                ("sum.k", "*KEYWORD\n*PARAMETER_EXPRESSION\nR mu      1" + "+1" * 300000 + "\n*DEFINE_FRICTION\n         1       0.2\n", "more than 10000 characters"),
+                ("models.tcl", "".join(f"frictionModel Coulomb {i} 0.1\n" for i in range(33000)), "33000 friction models"),
+                ("sets.inp", node + "*ELEMENT, TYPE=CONN3D2\n" + "".join(f"{i},1,2\n" for i in range(1, 6000)) +
+                 "".join(f"*ELSET, ELSET=E{i}, GENERATE\n{i},{i}\n*CONNECTOR BEHAVIOR, NAME=B{i}\n*CONNECTOR SECTION, ELSET=E{i}, BEHAVIOR=B{i}\nSLOT\n"
+                         for i in range(1, 6000)), '"B5999", element 5999 of E5999')):
+            self.write(name, text)
+            start = time.monotonic()
+            said = subprocess.run([PROGRAM, "import", name], cwd=self.folder, capture_output=True, text=True)
+            self.assertLess(time.monotonic() - start, SECONDS, name)
+            self.assertIn(words, said.stdout + said.stderr)
+
+    def test_what_a_deck_makes_of_few_lines_stays_within_bounds(self):
+        head, tail = SLOT.split("*STEP\n")
+        step = "*STEP\n*STATIC, DIRECT\n0.02, 4.\n*CONNECTOR MOTION, AMPLITUDE=L, TYPE=VELOCITY\nPIN, 1, 0.4\n*END STEP\n"
+        long, longer = ("*AMPLITUDE, NAME=L\n" + "".join(f"{4*i/count}, {i % 3}.\n" for i in range(count)) for count in (4000, 8000))
+        smooth = "*AMPLITUDE, NAME=L, DEFINITION=SMOOTH STEP\n" + "".join(f"{i*0.001}, {i % 3}.\n" for i in range(20000))
+        # The same amplitude again in every step; and one whose formula would be as long as all its points.
+        for amplitude, steps, code, words in ((long, step * 3000, 2, "its history takes more than 4 MiB up to"),
+                                              (longer, step, 0, "more points than are taken over"),
+                                              (smooth, step.replace(", TYPE=VELOCITY", ""), 0, "is not taken over")):
+            self.write("slot.inp", head + amplitude + steps)
+            start = time.monotonic()
+            said = self.run_tool("import", "slot.inp", "-o", "long.yaml", "--force", code=code)
+            self.assertLess(time.monotonic() - start, SECONDS)
+            self.assertIn(words, said + ((self.folder / "long.yaml").read_text() if code == 0 else ""))
+
     def test_an_increment_that_does_not_end_is_given_up(self):
         potential = "potential: {exponent: 1.0001, terms: [{component: 2}, {component: 3}]}, contact_force: 1, coefficient: 0.2, stick: {elastic_slip: 0.01}"
         corner = "slipbench: 1\nconnector: {type: SLIDE-PLANE}\nintegration: {method: exact}\nfriction: [{" + potential + "}]\n" \

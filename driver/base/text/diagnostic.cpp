@@ -205,8 +205,11 @@ std::optional<std::string_view> nearest_name(std::string_view word,
   std::size_t least = 0;
   for (const std::string_view candidate :
        candidates.first(std::min(candidates.size(), kMostCandidates))) {
+    const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
+    const std::size_t allowed = longer / 3;
+    // Letters that one of the two has more are as many differences at least.
+    if (longer - shorter > allowed) continue;
     const std::size_t d = name_distance(word, candidate);
-    const std::size_t allowed = std::max(word.size(), candidate.size()) / 3;
     if (d <= allowed && (!nearest || d < least)) {
       nearest = candidate;
       least = d;
@@ -258,6 +261,16 @@ std::string printable(std::string_view text) {
     text.remove_prefix(c.length);
   }
   return result;
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return printable(text);
+  // Not inside a character of several bytes.
+  const auto continues = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  while (most > 0 && continues(most)) --most;
+  return printable(text.substr(0, most)) + "...";
 }
 
 std::string in_cell(std::string_view name) {

@@ -105,6 +105,9 @@ class Diagnostics {
 /// The same of text of many lines: line feeds, tabs, and the sequences that colour it, stay.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 
+/// The text as printable() has it, cut behind at most `most` bytes, which "..." then says.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
+
 /// The name of a column with an apostrophe before it if it begins with =, +, - or an at sign: a
 /// spreadsheet would take it for a formula.
 [[nodiscard]] std::string in_cell(std::string_view name);

@@ -145,7 +145,7 @@ std::string syntax_message(const mu::ParserError& error) {
     case mu::ecUNEXPECTED_PARENS:
       return fmt::format("unexpected '{}'", token);
     case mu::ecEXPRESSION_TOO_LONG:
-      return "the expression is longer than 10000 characters";
+      return fmt::format("the expression is longer than {} characters", kLongestFormula);
     case mu::ecTOO_FEW_PARAMS:
       return fmt::format("too few arguments for the function {}", token);
     case mu::ecTOO_MANY_PARAMS:

@@ -14,6 +14,9 @@ namespace slipbench::driver::base {
 /// Numbers with names: the parameters of a case.
 using NamedNumbers = std::map<std::string, double, std::less<>>;
 
+/// So many characters a formula has, at most: it is what muParser reads.
+inline constexpr std::size_t kLongestFormula = 10'000;
+
 /// Reason why an expression could not be read or evaluated.
 struct ExpressionError {
   std::string message;       ///< What was found and what was wanted.

@@ -34,6 +34,13 @@ std::string CaseParts::history_text() {
   double begin = 0.0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     text += step_text(steps[i], i == 0, i + 1 == steps.size(), begin);
+    constexpr std::size_t kMostText = std::size_t{4} << 20U;
+    if (text.size() > kMostText) {
+      pass(
+          fmt::format("its history takes more than {} MiB up to {}: let its amplitudes have fewer "
+                      "points, or its steps",
+                      kMostText >> 20U, steps[i].name));
+    }
     begin += steps[i].period;
   }
   return text;

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "driver/base/text/format_number.hpp"
+#include "driver/base/units/expression.hpp"
 
 namespace slipbench::driver::abaqus {
 namespace {
@@ -68,7 +70,8 @@ Points points_of(const Amplitude& amplitude, double begin) {
   return points;
 }
 
-/// A formula of an amplitude over the time of the step: "(t - 0.5)" is its time.
+/// A formula of an amplitude over the time of the step: "(t - 0.5)" is its time. Nothing where it
+/// has none, or one that is too long.
 std::string formula_of(const Amplitude& amplitude) {
   const std::string time = amplitude.total_time ? "T" : "t";
   const auto at = [&](std::size_t i) {
@@ -113,6 +116,7 @@ std::string formula_of(const Amplitude& amplitude) {
             fmt::format("{} + {}*{}^3*(10 - 15*{} + 6*{}^2)", number_text(at(2 * i - 1)),
                         number_text(at(2 * i + 1) - at(2 * i - 1)), x, x, x);
         text = fmt::format("({} < {} ? {} : {})", time, number_text(at(2 * i)), piece, text);
+        if (text.size() > base::kLongestFormula) return {};
       }
       return after(at(0), number_text(at(1)), text);
     }
@@ -147,9 +151,10 @@ double value_of(const Amplitude& amplitude, double time) {
   return at(amplitude.numbers.size() - 1);
 }
 
+constexpr int kPieces = 20;  ///< straight ones of an arc
+
 /// Integral of a polyline of velocities, at enough points that its arcs are straight.
 Points integrated(const Points& velocities, double start) {
-  constexpr int kPieces = 20;
   Points points{{velocities.front().first, start}};
   for (std::size_t i = 1; i < velocities.size(); ++i) {
     const auto& [t0, v0] = velocities[i - 1];
@@ -244,6 +249,13 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
       return {{}, current, fmt::format("{} ({}): its amplitude is empty", name, place)};
     }
     points = covering(points, step.period);
+    constexpr std::size_t kMostPoints = 100'000;
+    if (points.size() * static_cast<std::size_t>(velocity ? kPieces : 1) > kMostPoints) {
+      return {
+          {},
+          current,
+          fmt::format("{} ({}): its amplitude has more points than are taken over", name, place)};
+    }
     for (auto& point : points) point.second *= factor;
     std::string note;
     if (amplitude->smoothed) {
@@ -265,7 +277,7 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
     return *plain;
   }
   const std::string formula = velocity ? std::string() : formula_of(*amplitude);
-  if (formula.empty()) {
+  if (formula.empty() || formula.size() > base::kLongestFormula) {
     return {{},
             current,
             fmt::format("{} ({}): its amplitude ({}) is not taken over", name, place,

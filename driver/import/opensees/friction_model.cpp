@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -163,7 +164,7 @@ class ModelReader {
     if (known == kTypes.end()) {
       fault(command, fmt::format("unknown type {}; Coulomb, VelDependent, VelPressureDep, "
                                  "VelDepMultiLinear and VelNormalFrcDep are read",
-                                 base::printable(type)));
+                                 base::shortened(type, 60)));
       return;
     }
     const auto tag = number(command, 2, "the tag");
@@ -172,8 +173,7 @@ class ModelReader {
       fault(command, fmt::format("a tag is a whole number, found {}", text_of(*tag)));
       return;
     }
-    if (std::any_of(found_.begin(), found_.end(),
-                    [&](const Found& one) { return static_cast<double>(one.tag) == *tag; })) {
+    if (by_tag_.contains(*tag)) {
       fault(command, fmt::format("the tag {} stands twice", text_of(*tag)));
       return;
     }
@@ -190,8 +190,8 @@ class ModelReader {
       }
       if (command.words.size() > 3 + numbers.size()) {
         fault(command, fmt::format("'{}' is one too many: {} takes {} number{} behind the tag",
-                                   base::printable(command.words[3 + numbers.size()]), known->name,
-                                   numbers.size(), numbers.size() == 1 ? "" : "s"));
+                                   base::shortened(command.words[3 + numbers.size()], 60),
+                                   known->name, numbers.size(), numbers.size() == 1 ? "" : "s"));
         return;
       }
       if (!take(command, numbers, found)) return;
@@ -200,6 +200,7 @@ class ModelReader {
         {Kind::kApproximated,
          "OpenSees takes the velocity of the nodes, which a static analysis has not: there the "
          "coefficient is that at rest; the case takes the speed of its history"});
+    by_tag_.emplace(*tag, found_.size());
     found_.push_back(std::move(found));
   }
 
@@ -285,37 +286,40 @@ class ModelReader {
     const bool pendulum = type == "singleFPBearing" || type == "SinglePendulum";
     if (!flat && !pendulum) return;
     const auto tag = number_of(command, 5);
-    if (!tag) return;
-    for (Found& found : found_) {
-      if (static_cast<double>(found.tag) != *tag) continue;
-      import::ContactFriction& friction = found.friction;
-      const std::size_t at = pendulum ? 7 : 6;
-      const auto stiffness = number(command, at, "kInit");
-      if (!stiffness) return;
-      if (*stiffness > 0.0 && !friction.tangential_stiffness) {
-        friction.tangential_stiffness = *stiffness;
-        friction.notes.push_back(fmt::format("K_t is kInit of {} {}", type, command.words[2]));
-      } else if (friction.tangential_stiffness && *friction.tangential_stiffness != *stiffness) {
-        friction.losses.push_back(
-            {Kind::kDropped, fmt::format("kInit {} of {} {}, which another bearing has otherwise",
-                                         text_of(*stiffness), type, command.words[2])});
-      }
-      if (pendulum) {
-        friction.losses.push_back(
-            {Kind::kDropped, fmt::format("the restoring force N/Reff of {} {}: give it as "
-                                         "'elasticity', or see the friction alone",
-                                         type, command.words[2])});
-      }
-      if (type.starts_with("RJ")) {
-        friction.losses.push_back(
-            {Kind::kDropped, fmt::format("the springs of {} {}", type, command.words[2])});
-      }
+    const auto model = tag ? by_tag_.find(*tag) : by_tag_.end();
+    if (model == by_tag_.end()) return;
+    import::ContactFriction& friction = found_[model->second].friction;
+    const std::size_t at = pendulum ? 7 : 6;
+    const auto stiffness = number(command, at, "kInit");
+    if (!stiffness) return;
+    if (*stiffness <= 0.0) {
+      fault(command, "kInit must be greater than 0, found " + text_of(*stiffness));
+      return;
+    }
+    if (!friction.tangential_stiffness) {
+      friction.tangential_stiffness = *stiffness;
+      friction.notes.push_back(fmt::format("K_t is kInit of {} {}", type, command.words[2]));
+    } else if (*friction.tangential_stiffness != *stiffness) {
+      friction.losses.push_back(
+          {Kind::kDropped, fmt::format("kInit {} of {} {}, which another bearing has otherwise",
+                                       text_of(*stiffness), type, command.words[2])});
+    }
+    if (pendulum) {
+      friction.losses.push_back(
+          {Kind::kDropped, fmt::format("the restoring force N/Reff of {} {}: give it as "
+                                       "'elasticity', or see the friction alone",
+                                       type, command.words[2])});
+    }
+    if (type.starts_with("RJ")) {
+      friction.losses.push_back(
+          {Kind::kDropped, fmt::format("the springs of {} {}", type, command.words[2])});
     }
   }
 
   const Script& script_;
   base::Diagnostics& out_;
   std::vector<Found> found_;
+  std::map<double, std::size_t> by_tag_;  ///< their places
 };
 
 }  // namespace

@@ -179,7 +179,7 @@ enum class Runs { kYes, kNo, kOpen };
 struct Block {
   std::size_t indent = 0;
   Runs runs = Runs::kYes;
-  std::optional<ScriptNames> outside = {};  ///< names outside of a function
+  bool is_function = false;
 };
 
 class PythonReader {
@@ -207,7 +207,7 @@ class PythonReader {
  private:
   void leave_blocks(std::size_t indent) {
     while (!blocks_.empty() && indent <= blocks_.back().indent) {
-      if (blocks_.back().outside) names_ = std::move(*blocks_.back().outside);
+      if (blocks_.back().is_function) names_.leave();
       blocks_.pop_back();
     }
     branches_.erase(branches_.upper_bound(indent), branches_.end());
@@ -287,12 +287,8 @@ class PythonReader {
       const std::string_view name = rest.substr(0, rest.find_first_of("(: ["));
       own_.emplace(name);
       names_.forget(std::string(name), "is a function of the script");
-      // Each function keeps the names outside of it; of thousands none is certain any more.
-      constexpr std::size_t kMostNames = 2000;
-      if (names_.numbers.size() + names_.unread.size() > kMostNames) names_ = {.lost = true};
-      // Values from outside may have changed by the time of the call.
-      block.outside = names_;
-      names_.forget_all();
+      block.is_function = true;
+      names_.enter();
       const std::size_t open = std::min(rest.find('('), rest.size());
       for_each_word(rest.substr(open), [&](std::string_view argument) {
         names_.forget(std::string(argument), "is an argument of a function");
@@ -452,7 +448,7 @@ class PythonReader {
 
   bool in_function() const {
     return std::any_of(blocks_.begin(), blocks_.end(),
-                       [](const Block& one) { return one.outside.has_value(); });
+                       [](const Block& one) { return one.is_function; });
   }
 
   /// Ends the script, and tells of models that stand behind the end.
@@ -564,7 +560,7 @@ class PythonReader {
   tl::expected<import::ScriptNumber, std::string> value_of(std::string_view text) const {
     if (functions_open_ && text.find('(') != text.npos) {
       return tl::unexpected(fmt::format("'{}': its functions may be imported: write its number",
-                                        base::printable(text)));
+                                        base::shortened(text, 60)));
     }
     return names_.value_of(text, kPython);
   }

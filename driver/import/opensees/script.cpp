@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <memory>
 #include <utility>
 
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/number.hpp"
+#include "driver/base/units/expression.hpp"
 
 namespace slipbench::driver::opensees {
 namespace {
@@ -284,12 +286,15 @@ tl::expected<import::ScriptNumber, std::string> ScriptNames::value_of(
       closing_place(word, 0) == word.size() - 1) {
     return expression(inner.substr(0, inner.size() - 1));
   }
-  return tl::unexpected(fmt::format("'{}' is not read as a number", base::printable(word)));
+  return tl::unexpected(fmt::format("'{}' is not read as a number", base::shortened(word, 60)));
 }
 
 tl::expected<import::ScriptNumber, std::string> ScriptNames::expression(
     std::string_view shown) const {
   std::string text(shown);
+  if (text.size() > base::kLongestFormula) {
+    return formula(shown, text, import::FormulaLanguage::kTcl);
+  }
   replace_all(text, "\\\r\n", " ");
   replace_all(text, "\\\n", " ");
   for (const std::string_view blank : {" ", "\t", "\n", "{", "\""}) {
@@ -305,18 +310,36 @@ tl::expected<import::ScriptNumber, std::string> ScriptNames::expression(
 
 tl::expected<import::ScriptNumber, std::string> ScriptNames::formula(
     std::string_view word, const std::string& text, import::FormulaLanguage language) const {
-  const std::string shown = base::printable(word);
+  const std::string shown = base::shortened(word, 60);
   // A function or a constant that the script has otherwise is not the known one.
   std::string reason;
   for_each_word(text, [&](std::string_view name) {
-    if (const auto found = unread.find(name); found != unread.end() && reason.empty()) {
-      reason = fmt::format("'{}': {} {}", shown, found->first, found->second);
-    }
+    const std::string_view why = reason.empty() ? reason_of(name) : std::string_view();
+    if (!why.empty()) reason = fmt::format("'{}': {} {}", shown, name, why);
   });
   if (!reason.empty()) return tl::unexpected(std::move(reason));
   const auto value = import::evaluate_formula(text, numbers, language);
   if (value) return *value;
   return tl::unexpected(fmt::format("'{}': {}", shown, value.error().message));
+}
+
+void ScriptNames::enter() {
+  auto around = std::make_unique<ScriptNames>(std::move(*this));
+  *this = {.lost = around->lost};
+  outside = std::move(around);
+}
+
+void ScriptNames::leave() {
+  const auto around = std::move(outside);
+  *this = std::move(*around);
+}
+
+std::string_view ScriptNames::reason_of(std::string_view name) const {
+  for (const ScriptNames* at = this; at != nullptr; at = at->outside.get()) {
+    if (const auto found = at->unread.find(name); found != at->unread.end()) return found->second;
+    if (at->numbers.contains(name)) return at == this ? std::string_view() : kNotFollowed;
+  }
+  return {};
 }
 
 void ScriptNames::assign(const std::string& name, const std::string& word,
@@ -329,7 +352,7 @@ void ScriptNames::assign(const std::string& name, const std::string& word,
     unread.erase(name);
   } else {
     forget(name,
-           fmt::format("is set to '{}', which is not read as a number", base::printable(word)));
+           fmt::format("is set to '{}', which is not read as a number", base::shortened(word, 60)));
   }
 }
 
@@ -366,7 +389,7 @@ tl::expected<double, std::string> number_of(const ScriptCommand& command, std::s
   }
   const std::string& word = command.words[index];
   if (const auto number = base::parse_number(word)) return *number;
-  return tl::unexpected(fmt::format("'{}' is no number", base::printable(word)));
+  return tl::unexpected(fmt::format("'{}' is no number", base::shortened(word, 60)));
 }
 
 }  // namespace slipbench::driver::opensees

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +36,13 @@ struct ScriptNames {
   /// Why the others are no number, by name.
   std::map<std::string, std::string, std::less<>> unread = {};
   bool lost = false;  ///< no name is certain from here on
+  /// Those outside of the procedure that these are of; they may have changed when it is called.
+  std::unique_ptr<ScriptNames> outside = nullptr;
 
+  /// Begins the names of a procedure.
+  void enter();
+  /// Ends them: those outside are as they were.
+  void leave();
   /// Evaluates a word: a literal, $name, [expr ..], or arithmetic of Python. Error: a sentence.
   tl::expected<import::ScriptNumber, std::string> value_of(std::string_view word,
                                                            import::FormulaLanguage language) const;
@@ -50,6 +57,8 @@ struct ScriptNames {
   void forget_all();
 
  private:
+  /// Returns why a name is no number; nothing if it is one, or not known.
+  std::string_view reason_of(std::string_view name) const;
   tl::expected<import::ScriptNumber, std::string> formula(std::string_view word,
                                                           const std::string& text,
                                                           import::FormulaLanguage language) const;

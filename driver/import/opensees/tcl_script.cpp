@@ -239,7 +239,7 @@ class TclReader {
       names_.forget(std::string(text), kInBlock);
     } else if (value.braced && is_computed(value.text)) {
       names_.forget(std::string(text), fmt::format("is set to '{}', which is not read as a number",
-                                                   base::printable(value.text)));
+                                                   base::shortened(value.text, 60)));
     } else {
       names_.assign(std::string(text), std::string(value.text), kTcl);
     }
@@ -345,9 +345,7 @@ class TclReader {
       tell(statement);
       return;
     }
-    const bool lost = names_.lost;
-    const ScriptNames outside = names_;
-    names_.forget_all();
+    names_.enter();
     names_.lost = false;
     std::size_t at = 0;
     for (const Word& one : words_at(words[2].text, at)) {
@@ -358,8 +356,7 @@ class TclReader {
     ++procedure_;
     run(words[3].text, false);
     --procedure_;
-    names_ = outside;
-    names_.lost = lost;
+    names_.leave();
   }
 
   /// Takes a statement after which no name is certain.

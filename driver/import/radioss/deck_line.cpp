@@ -124,16 +124,6 @@ std::vector<std::string_view> words(std::string_view line) {
 
 }  // namespace
 
-std::string shortened(std::string_view text, std::size_t most) {
-  if (text.size() <= most) return base::printable(text);
-  // Not inside a character of several bytes.
-  const auto continues = [&](std::size_t at) {
-    return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
-  };
-  while (most > 0 && continues(most)) --most;
-  return base::printable(text.substr(0, most)) + "...";
-}
-
 tl::expected<double, std::string> parse_fortran_number(std::string_view text) {
   const auto plain = normalised(text);
   if (!plain) return tl::make_unexpected("wanted a number, found " + in_quotes(text));

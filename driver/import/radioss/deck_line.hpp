@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/units/expression.hpp"
 
 namespace slipbench::driver::radioss {
@@ -35,9 +36,7 @@ struct DeckFault {
   std::string_view text;
 };
 
-/// A text of the deck as messages show it: what would harm a terminal replaced, and cut behind at
-/// most `most` bytes, which "..." then says.
-std::string shortened(std::string_view text, std::size_t most);
+using base::shortened;
 
 /// Reads a number as Fortran does: "1.5", "1.", ".5", "1.0D-3", and "1-3" for 1e-3. Errors: any
 /// other character; a number no double can hold.
