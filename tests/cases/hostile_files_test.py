@@ -123,7 +123,9 @@ class HostileFiles(unittest.TestCase):
         self.write("slot.inp", SLOT)
         self.run_tool("import", "slot.inp", "-o", "slot.yaml")
         for old, new, words in (("0.02, 4.", "0.02, -4.", "times of 0 or more"), ("2, 7., 0., 0.", "2, abc, 0., 0.", "abc"), ("2, 7., 0., 0.", "2, 1e400, 0., 0.", "1e400"),
-                                ("*CHANGE FRICTION, ELSET=PIN", "*CHANGE FRICTION, ELSET=PINN", "no element set"), ("*CHANGE FRICTION, ELSET=PIN", "*CHANGE FRICTION", "ELSET"),
+                                ("*CHANGE FRICTION, ELSET=PIN", "*CHANGE FRICTION, ELSET=PINN", "no element set"),
+                                ("SLOT\n", "SLOT\n*CONNECTOR SECTION, ELSET=PIN, BEHAVIOR=B\nSLOT\n", "its elements have that of slot.inp:6 as well"),
+                                ("SLOT\n", "SLOT\n*ELSET, ELSET=ALL\nPIN\n*CONNECTOR SECTION, ELSET=ALL, BEHAVIOR=B\nSLOT\n", "element 1 has that of slot.inp:"), ("*CHANGE FRICTION, ELSET=PIN", "*CHANGE FRICTION", "ELSET"),
                                 ("INTERVAL=1.", "INTERVAL=abc", "FIXED INTERVAL"), ("INTERVAL=1.", "INTERVAL=-1.", "FIXED INTERVAL"), (", FIXED INTERVAL=1.", "", "FIXED INTERVAL"),
                                 ("PIN, 1, 0.4", "PINN, 1, 0.4", "no element set"), ("SLIP=0.002", "SLIP=0", "above 0"),
                                 ("*AMPLITUDE, NAME=A", "*AMPLITUDE, NAME=A\n0., 0., 9., 1.\n*AMPLITUDE, NAME=A", "has the name of the one in"),

@@ -54,6 +54,11 @@ const Parameter* Block::find(std::string_view wanted) const {
   return nullptr;
 }
 
+std::string Block::value_of(std::string_view wanted) const {
+  const Parameter* const one = find(wanted);
+  return one == nullptr ? "" : std::string(one->value.value_or(""));
+}
+
 Items split_items(std::string_view line) {
   Items items;
   bool quoted = false;
@@ -166,7 +171,8 @@ void KeywordDeck::begin_block(std::size_t file, int& line) {
     constexpr std::size_t kLongName = 8;
     constexpr std::size_t kSlips = 2;
     for (const KeywordRule& one : rules) {
-      if (one.name.size() < kLongName || base::name_distance(block.keyword, one.name) > kSlips) {
+      if (one.name.size() < kLongName || block.keyword.size() > one.name.size() + kSlips ||
+          base::name_distance(block.keyword, one.name) > kSlips) {
         continue;
       }
       error(block.where, block, "is no keyword that is known",
@@ -268,7 +274,7 @@ tl::expected<double, std::string> KeywordDeck::number(std::string_view item) con
   if (item.size() > 2 && item.front() == '<' && item.back() == '>') {
     const auto found = numbers_.find(small(trimmed(item.substr(1, item.size() - 2))));
     if (found != numbers_.end()) return found->second;
-    return tl::unexpected(fmt::format("{} is no name of *PARAMETER", base::printable(item)));
+    return tl::unexpected(fmt::format("{} is no name of *PARAMETER", base::shortened(item, 60)));
   }
   std::string text(item);
   std::replace_if(
@@ -282,9 +288,15 @@ tl::expected<double, std::string> KeywordDeck::number(std::string_view item) con
   const bool words = text.find_first_of("nNiI") != text.npos;
   const auto [stop, fault] = std::from_chars(begin, end, value);
   if (!plain || words || fault != std::errc() || stop != end) {
-    return tl::unexpected(fmt::format("'{}' is no number", base::printable(item)));
+    return tl::unexpected(fmt::format("'{}' is no number", base::shortened(item, 60)));
   }
   return value;
+}
+
+long KeywordDeck::whole(std::string_view item, long otherwise) const {
+  const auto value = number(item);
+  if (!value || *value != std::floor(*value) || std::abs(*value) > 1e15) return otherwise;
+  return static_cast<long>(*value);
 }
 
 void KeywordDeck::error(std::string_view piece, const Block& block, std::string message,

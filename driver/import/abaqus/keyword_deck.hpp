@@ -43,6 +43,8 @@ struct Block {
 
   const Parameter* find(std::string_view wanted) const;
   bool has(std::string_view wanted) const { return find(wanted) != nullptr; }
+  /// The value of a parameter; empty where it has none, or is not there.
+  std::string value_of(std::string_view wanted) const;
 };
 
 /// Item of a data line or a value of a parameter: a number or a label.
@@ -73,6 +75,8 @@ class KeywordDeck {
 
   /// Reads a number: `1.`, `.35`, `1.5D-3`, or `<name>` of *PARAMETER. Errors: a sentence.
   tl::expected<double, std::string> number(std::string_view item) const;
+  /// The same of a whole number; `otherwise` where it is none.
+  long whole(std::string_view item, long otherwise) const;
 
   /// Adds a message on a piece of the deck.
   void error(std::string_view piece, const Block& block, std::string message,

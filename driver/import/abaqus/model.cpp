@@ -12,6 +12,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "driver/import/abaqus/element_sets.hpp"
 #include "driver/import/abaqus/keyword_list.hpp"
 #include "driver/import/abaqus/rows.hpp"
 
@@ -59,30 +60,18 @@ struct Section {
   std::optional<double> number = std::nullopt;
 };
 
-long whole(const KeywordDeck& deck, std::string_view item, long otherwise) {
-  const auto number = deck.number(item);
-  if (!number || *number != std::floor(*number) || std::abs(*number) > 1e15) return otherwise;
-  return static_cast<long>(*number);
-}
-
 /// Takes off what turned axes leave of rounding, in numbers that people wrote with a few digits.
 double rounded(double value, double scale) {
   constexpr double kNothing = 1e-12;
   return std::abs(value) <= kNothing * scale ? 0.0 : std::stod(fmt::format("{:.12g}", value));
 }
 
-std::string value_of(const Block& block, std::string_view name) {
-  const Parameter* const one = block.find(name);
-  return one == nullptr ? "" : std::string(one->value.value_or(""));
-}
-
 /// Goes through a deck once, and makes the model of what it found.
 class Reader {
  public:
-  explicit Reader(const KeywordDeck& deck) : deck_(deck) {}
+  explicit Reader(const KeywordDeck& deck) : deck_(deck), sets_(deck) {}
 
   Model read() {
-    find_wanted_sets();
     const std::vector<Block>& blocks = deck_.blocks();
     for (std::size_t at = 0; at < blocks.size();) {
       if (blocks[at].keyword == "CONNECTOR BEHAVIOR") {
@@ -92,6 +81,7 @@ class Reader {
         if (first != nullptr && !behavior.name.empty()) {
           deck_.error(head.where, head, "has the name of the one in " + deck_.place(first->where));
         }
+        behaviors_.try_emplace(label_of(behavior.name), model_.behaviors.size());
         model_.behaviors.push_back(std::move(behavior));
       } else {
         read_block(blocks[at]);
@@ -111,64 +101,10 @@ class Reader {
   }
 
  private:
-  /// Sets are read only where a connector's section, a step or another set that is read names them.
-  void find_wanted_sets() {
-    using SetOfPart = std::pair<std::string, const Block*>;
-    std::map<std::string, std::vector<SetOfPart>> stated;
-    std::string part;
-    for (const Block& block : deck_.blocks()) {
-      if (block.keyword == "PART") {
-        part = label_of(value_of(block, "NAME"));
-      } else if (block.keyword == "END PART") {
-        part.clear();
-      } else if (block.keyword == "ELSET") {
-        stated[label_of(value_of(block, "ELSET"))].emplace_back(part, &block);
-        labels_.insert(label_of(value_of(block, "ELSET")));
-      } else if (block.keyword == "ELEMENT") {
-        labels_.insert(label_of(value_of(block, "ELSET")));
-      } else if (block.keyword == "ELGEN" || block.keyword == "ELCOPY" ||
-                 block.keyword == "IMPORT" || block.keyword == "RESTART") {
-        makes_sets_ = true;
-      } else if (block.keyword == "CONNECTOR SECTION" || block.keyword == "CHANGE FRICTION") {
-        want(label_of(value_of(block, "ELSET")));
-      } else if (block.keyword == "CONNECTOR MOTION" || block.keyword == "CONNECTOR LOAD") {
-        deck_.for_each_line(block, [&](std::string_view line) {
-          const Items items = split_items(line);
-          want(label_of(items.front()));
-        });
-      }
-    }
-    while (!unread_.empty()) {
-      const auto sets = stated.find(unread_.back());
-      unread_.pop_back();
-      if (sets == stated.end()) continue;
-      for (const auto& [of_part, block] : sets->second) read_set(of_part, *block);
-    }
-  }
-
-  /// Notes that a set is to be read, one of an instance by its name in the part, too.
-  void want(const std::string& label) {
-    for (const std::string& one : {label, own_part(label)}) {
-      if (wanted_.insert(one).second) unread_.push_back(one);
-    }
-  }
-
-  /// "PIN" of "ARM-1.PIN".
-  static std::string own_part(const std::string& label) {
-    return label.substr(label.rfind('.') + 1);
-  }
-
-  /// Refuses the name of a set that is not there: what it is named for would be lost.
-  void expect_set(const std::string& label, std::string_view where, const Block& block) const {
-    const std::string own = own_part(label);
-    if (makes_sets_ || own.empty() || starts_with_digit(own) || labels_.count(own) > 0) return;
-    deck_.error(where, block, "there is no element set of that name");
-  }
-
   void read_block(const Block& block) {
     const std::string_view keyword = block.keyword;
     if (keyword == "PART") {
-      part_ = label_of(value_of(block, "NAME"));
+      part_ = label_of(block.value_of("NAME"));
     } else if (keyword == "END PART") {
       part_.clear();
     } else if (keyword == "INSTANCE") {
@@ -203,9 +139,9 @@ class Reader {
   }
 
   void read_instance(const Block& block) {
-    Instance one{.name = shown(value_of(block, "NAME")),
-                 .label = label_of(value_of(block, "NAME")),
-                 .part = label_of(value_of(block, "PART"))};
+    Instance one{.name = shown(block.value_of("NAME")),
+                 .label = label_of(block.value_of("NAME")),
+                 .part = label_of(block.value_of("PART"))};
     const std::vector<Row> rows = read_rows(deck_, block, deck_.lines(block), 7, "its place");
     const auto at = [&](std::size_t row, std::size_t i) {
       return rows[row].size() > i ? rows[row][i].value_or(0.0) : 0.0;
@@ -224,15 +160,15 @@ class Reader {
   }
 
   void read_elements(const Block& block) {
-    const std::string type = folded(value_of(block, "TYPE"));
+    const std::string type = folded(block.value_of("TYPE"));
     if (type != "CONN3D2" && type != "CONN2D2") {
       others_ = true;
       return;
     }
-    const std::string set = label_of(value_of(block, "ELSET"));
+    const std::string set = label_of(block.value_of("ELSET"));
     for (const Items& items : deck_.lines(block)) {
       Element one{.part = part_,
-                  .number = whole(deck_, items.front(), -1),
+                  .number = deck_.whole(items.front(), -1),
                   .where = items.front(),
                   .plane = type == "CONN2D2"};
       if (one.number < 1) {
@@ -245,39 +181,8 @@ class Reader {
     }
   }
 
-  void read_set(const std::string& part, const Block& block) {
-    const std::string label = label_of(value_of(block, "ELSET"));
-    // Members in an instance are counted as those of its part.
-    const std::string instance = label_of(value_of(block, "INSTANCE"));
-    const std::string of_instance = instance.empty() ? instance : instance + ".";
-    std::vector<std::string> members;
-    const bool generate = block.has("GENERATE");
-    for (const Items& items : deck_.lines(block)) {
-      if (generate) {
-        const long first = whole(deck_, items.front(), 0);
-        const long last = items.size() > 1 ? whole(deck_, items[1], first) : first;
-        const long step = items.size() > 2 ? whole(deck_, items[2], 0) : 1;
-        if (step < 1) deck_.error(items[2], block, "wanted a whole number of 1 or more");
-        ranges_[{part, label}].push_back({of_instance, first, last, std::max(1L, step)});
-        continue;
-      }
-      for (const std::string_view item : items) {
-        if (!item.empty()) members.push_back(of_instance + label_of(item));
-      }
-    }
-    // A set of sets: those are wanted, too, wherever they stand.
-    for (const std::string& member : members) {
-      if (!starts_with_digit(own_part(member))) want(member);
-      holders_[member].emplace_back(part, label);
-    }
-  }
-
-  static bool starts_with_digit(const std::string& text) {
-    return !text.empty() && text.front() >= '0' && text.front() <= '9';
-  }
-
   void read_orientation(const Block& block) {
-    const std::string label = label_of(value_of(block, "NAME"));
+    const std::string label = label_of(block.value_of("NAME"));
     const std::string system =
         word_of(deck_, block, "SYSTEM",
                 {"RECTANGULAR", "CYLINDRICAL", "SPHERICAL", "Z RECTANGULAR", "USER"});
@@ -321,15 +226,15 @@ class Reader {
   }
 
   void read_section(const Block& block) {
-    Section section{.block = &block, .part = part_, .set = label_of(value_of(block, "ELSET"))};
-    section.behavior = label_of(value_of(block, "BEHAVIOR"));
+    Section section{.block = &block, .part = part_, .set = label_of(block.value_of("ELSET"))};
+    section.behavior = label_of(block.value_of("BEHAVIOR"));
     // A blank line of orientations keeps its place: only commas stand in it, or nothing.
     std::vector<Items> lines;
     deck_.for_each_line(block, [&](std::string_view line) {
       lines.push_back(line == "," ? Items() : split_items(line));
     });
     if (section.set.empty()) deck_.error(block.where, block, "ELSET is missing");
-    expect_set(section.set, block.where, block);
+    sets_.expect(section.set, block.where, block);
     if (lines.empty() || lines.front().empty()) {
       deck_.error(block.where, block, "wanted a line with the connection type");
       return;
@@ -350,14 +255,21 @@ class Reader {
         section.number = *number;
       }
     }
+    const auto [first, is_new] =
+        section_of_set_.try_emplace({section.part, section.set}, sections_.size());
+    if (!is_new && !section.set.empty()) {
+      deck_.error(block.where, block,
+                  "its elements have that of " +
+                      deck_.place(sections_[first->second].block->where) + " as well");
+    }
     sections_.push_back(section);
   }
 
   void read_amplitude(const Block& block) {
-    Amplitude one{.label = label_of(value_of(block, "NAME")), .where = block.where};
+    Amplitude one{.label = label_of(block.value_of("NAME")), .where = block.where};
     constexpr std::array<std::string_view, 6> kKinds{"TABULAR",        "SMOOTH STEP", "PERIODIC",
                                                      "EQUALLY SPACED", "DECAY",       "MODULATED"};
-    const std::string definition = value_of(block, "DEFINITION");
+    const std::string definition = block.value_of("DEFINITION");
     if (!definition.empty()) {
       const FoundName found = find_name(definition, kKinds);
       const auto* const place = std::find(kKinds.begin(), kKinds.end(), found.name);
@@ -365,15 +277,15 @@ class Reader {
     }
     one.total_time = word_of(deck_, block, "TIME", {"STEP TIME", "TOTAL TIME"}) == "TOTAL TIME";
     one.absolute = word_of(deck_, block, "VALUE", {"RELATIVE", "ABSOLUTE"}) == "ABSOLUTE";
-    one.interval = deck_.number(value_of(block, "FIXED INTERVAL")).value_or(0.0);
+    one.interval = deck_.number(block.value_of("FIXED INTERVAL")).value_or(0.0);
     if (one.kind == Amplitude::Kind::kEquallySpaced && !(one.interval > 0.0)) {
       deck_.error(block.where, block, "FIXED INTERVAL: wanted a number above 0");
     }
     if (const Amplitude* const first = find_amplitude(model_, one.label)) {
       deck_.error(block.where, block, "has the name of the one in " + deck_.place(first->where));
     }
-    one.begin = deck_.number(value_of(block, "BEGIN")).value_or(0.0);
-    one.smoothed = deck_.number(value_of(block, "SMOOTH")).value_or(0.0) > 0.0;
+    one.begin = deck_.number(block.value_of("BEGIN")).value_or(0.0);
+    one.smoothed = deck_.number(block.value_of("SMOOTH")).value_or(0.0) > 0.0;
     using Kind = Amplitude::Kind;
     const bool pairs = one.kind == Kind::kTabular || one.kind == Kind::kSmoothStep;
     bool sound = true;
@@ -413,7 +325,7 @@ class Reader {
                   fmt::format("stands in the step of {}, which has no *END STEP",
                               deck_.place(step_->where)));
     }
-    const std::string name = shown(value_of(block, "NAME"));
+    const std::string name = shown(block.value_of("NAME"));
     step_ =
         Step{.name = name.empty() ? fmt::format("step {}", ++steps_) : name, .where = block.where};
     step_block_ = &block;
@@ -450,10 +362,10 @@ class Reader {
       if (!block.has("ELSET") && !block.has("INTERACTION")) {
         deck_.error(block.where, block, "ELSET or INTERACTION is missing");
       }
-      expect_set(label_of(value_of(block, "ELSET")), block.where, block);
+      sets_.expect(label_of(block.value_of("ELSET")), block.where, block);
       step_->changes.push_back({.where = block.where,
-                                .target = label_of(value_of(block, "ELSET")),
-                                .amplitude = label_of(value_of(block, "AMPLITUDE")),
+                                .target = label_of(block.value_of("ELSET")),
+                                .amplitude = label_of(block.value_of("AMPLITUDE")),
                                 .reset = block.has("RESET")});
       changes_.push_back(&block);
       change_open_ = true;
@@ -480,7 +392,7 @@ class Reader {
     for (const Items& items : deck_.lines(block)) {
       Drive drive{.where = items.front(),
                   .target = label_of(items.front()),
-                  .amplitude = label_of(value_of(block, "AMPLITUDE")),
+                  .amplitude = label_of(block.value_of("AMPLITUDE")),
                   .type = type,
                   .is_load = is_load,
                   .fixed = block.has("FIXED"),
@@ -492,7 +404,7 @@ class Reader {
                     "wanted a set or an element, a component and a magnitude");
         continue;
       }
-      expect_set(drive.target, items.front(), block);
+      sets_.expect(drive.target, items.front(), block);
       drive.component = *component;
       if (items.size() > 2 && !items[2].empty()) {
         const auto magnitude = deck_.number(items[2]);
@@ -509,12 +421,12 @@ class Reader {
   /// Loads, temperatures and fields of nodes; which of them are a connector's is found later.
   void read_of_nodes(const Block& block) {
     const bool is_load = block.keyword == "CLOAD";
-    const std::string variable = value_of(block, "VARIABLE");
+    const std::string variable = block.value_of("VARIABLE");
     if (is_load && is_anew(block)) step_->new_of_nodes = true;
     for (const Items& items : deck_.lines(block)) {
       Drive drive{.where = items.front(),
                   .target = label_of(items.front()),
-                  .amplitude = label_of(value_of(block, "AMPLITUDE")),
+                  .amplitude = label_of(block.value_of("AMPLITUDE")),
                   .is_load = true};
       if (!is_load) {
         drive.quantity = block.keyword == "TEMPERATURE"
@@ -536,7 +448,7 @@ class Reader {
                                                      "ZSYMM",    "XASYMM", "YASYMM", "ZASYMM"};
     for (const Items& items : deck_.lines(block)) {
       const bool all =
-          items.size() > 2 && whole(deck_, items[1], 0) == 1 && whole(deck_, items[2], 0) == 6;
+          items.size() > 2 && deck_.whole(items[1], 0) == 1 && deck_.whole(items[2], 0) == 6;
       const bool encastre = items.size() > 1 && find_name(items[1], kKinds).name == "ENCASTRE";
       if (all || encastre) held_.insert(label_of(items.front()));
     }
@@ -559,71 +471,39 @@ class Reader {
   }
 
   const Behavior* find_behavior(const std::string& label) const {
-    for (const Behavior& one : model_.behaviors) {
-      if (label_of(one.name) == label) return &one;
-    }
-    return nullptr;
+    const auto found = behaviors_.find(label);
+    return found == behaviors_.end() ? nullptr : &model_.behaviors[found->second];
   }
 
-  /// Puts the number of an element and those sets together by which it may be named.
-  void find_sets(Element& element) const {
-    const auto holders = holders_.find(std::to_string(element.number));
-    if (holders != holders_.end()) {
-      for (const auto& [part, label] : holders->second) {
-        if (part == element.part) element.sets.insert(label);
+  /// The section of an element, by the sets that it is in.
+  const Section* section_of(const Element& element) const {
+    const Section* found = nullptr;
+    for (const std::string& set : element.sets) {
+      const auto one = section_of_set_.find({element.part, set});
+      if (one == section_of_set_.end()) continue;
+      const Section* const section = &sections_[one->second];
+      if (found != nullptr) {
+        deck_.error(element.where, *section->block,
+                    fmt::format("element {} has that of {} as well", element.number,
+                                deck_.place(found->block->where)));
       }
+      found = section;
     }
-    for (const auto& [key, ranges] : ranges_) {
-      if (key.first != element.part) continue;
-      for (const Range& range : ranges) {
-        if (range.instance.empty() && range.has(element.number)) element.sets.insert(key.second);
-      }
-    }
-    add_holders(element.sets, [](const Scoped&) { return true; });
-  }
-
-  /// Adds the sets that have one of these as a member, and those that have these.
-  template <class Accepts>
-  void add_holders(std::set<std::string>& labels, const Accepts& accepts) const {
-    std::vector<std::string> fresh(labels.begin(), labels.end());
-    while (!fresh.empty()) {
-      const auto holders = holders_.find(fresh.back());
-      fresh.pop_back();
-      if (holders == holders_.end()) continue;
-      for (const Scoped& one : holders->second) {
-        if (accepts(one) && labels.insert(one.second).second) fresh.push_back(one.second);
-      }
-    }
-  }
-
-  /// Adds the sets of the assembly that have an element of one instance.
-  void find_sets_of_instance(const Element& element, const Instance& instance,
-                             std::set<std::string>& labels) const {
-    for (const auto& [key, ranges] : ranges_) {
-      for (const Range& range : ranges) {
-        if (range.instance == instance.label + "." && range.has(element.number)) {
-          labels.insert(key.second);
-        }
-      }
-    }
-    add_holders(labels, [](const Scoped& holder) { return holder.first.empty(); });
+    return found;
   }
 
   void make_connectors() {
     for (Element& element : elements_) {
       if (too_many_) return;
-      find_sets(element);
-      const auto section =
-          std::find_if(sections_.begin(), sections_.end(), [&](const Section& one) {
-            return one.part == element.part && element.sets.count(one.set) > 0;
-          });
-      if (section == sections_.end()) {
+      sets_.add_sets_of(element.part, element.number, element.sets);
+      const Section* const section = section_of(element);
+      if (section == nullptr) {
         model_.notes.push_back(fmt::format("element {} ({}) has no *CONNECTOR SECTION",
                                            element.number, deck_.place(element.where)));
         continue;
       }
       Connector one{.name = std::to_string(element.number),
-                    .set = shown(value_of(*section->block, "ELSET")),
+                    .set = shown(section->block->value_of("ELSET")),
                     .where = element.where,
                     .types = section->types,
                     .types_where = section->types_where,
@@ -645,7 +525,7 @@ class Reader {
         own.name = instance.name + "." + one.name;
         for (const std::string& set : element.sets) own.labels.insert(instance.label + "." + set);
         own.labels.insert(instance.label + "." + one.name);
-        find_sets_of_instance(element, instance, own.labels);
+        sets_.add_sets_of_instance(instance.label, element.number, own.labels);
         add(std::move(own), element, *section, &instance);
         placed = true;
       }
@@ -699,14 +579,14 @@ class Reader {
   std::optional<NodeName> node_of(const Element& element, std::string_view item) const {
     const std::size_t dot = item.rfind('.');
     if (dot == item.npos) {
-      const long number = whole(deck_, item, -1);
+      const long number = deck_.whole(item, -1);
       if (item.empty() || number < 1) return std::nullopt;
       return NodeName{element.part, number};
     }
     const std::string label = label_of(item.substr(0, dot));
     for (const Instance& instance : instances_) {
       if (instance.label == label)
-        return NodeName{instance.part, whole(deck_, item.substr(dot + 1), -1)};
+        return NodeName{instance.part, deck_.whole(item.substr(dot + 1), -1)};
     }
     return std::nullopt;
   }
@@ -714,7 +594,7 @@ class Reader {
   /// Reads the coordinates of the connectors' nodes, and no others: decks have millions.
   void find_positions() {
     for (const auto& [part, block] : node_blocks_) {
-      if (!value_of(*block, "SYSTEM").empty() || block->has("INPUT")) continue;
+      if (!block->value_of("SYSTEM").empty() || block->has("INPUT")) continue;
       deck_.for_each_line(*block, [&, &part = part, block = block](std::string_view line) {
         long number = 0;
         const auto [end, fault] = std::from_chars(line.data(), line.data() + line.size(), number);
@@ -767,29 +647,18 @@ class Reader {
     std::array<Ends, 2> ends;
     std::optional<Matrix3d> axes;  ///< of node a
   };
-  /// Numbers of GENERATE, in an instance ("ONE.") where its name is given.
-  struct Range {
-    std::string instance;
-    long first = 0, last = 0, step = 1;
-    bool has(long number) const {
-      return number >= first && number <= last && (number - first) % step == 0;
-    }
-  };
   static constexpr std::size_t kHead = 4;  ///< numbers of a periodic amplitude's first line
   using Scoped = std::pair<std::string, std::string>;  ///< part, label
 
   const KeywordDeck& deck_;
   Model model_;
   std::string part_;
-  std::set<std::string> labels_;  ///< of all sets of elements
-  bool makes_sets_ = false;       ///< by keywords that are not read
-  std::set<std::string> wanted_;
-  std::vector<std::string> unread_;
+  ElementSets sets_;
   std::vector<Instance> instances_;
   std::vector<Element> elements_;
   std::vector<Section> sections_;
-  std::map<std::string, std::vector<Scoped>> holders_;  ///< of a member, the sets that have it
-  std::map<Scoped, std::vector<Range>> ranges_;
+  std::map<Scoped, std::size_t> section_of_set_;
+  std::map<std::string, std::size_t, std::less<>> behaviors_;  ///< by label
   std::map<Scoped, Matrix3d> axes_;
   std::vector<std::pair<std::string, const Block*>> node_blocks_;
   std::map<NodeName, std::optional<Vector3d>> nodes_;

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/import/abaqus/element_sets.hpp"
+
+#include <algorithm>
+
+namespace slipbench::driver::abaqus {
+namespace {
+
+/// "PIN" of "ARM-1.PIN".
+std::string own_part(const std::string& label) { return label.substr(label.rfind('.') + 1); }
+
+bool starts_with_digit(const std::string& text) {
+  return !text.empty() && text.front() >= '0' && text.front() <= '9';
+}
+
+}  // namespace
+
+ElementSets::ElementSets(const KeywordDeck& deck) : deck_(deck) {
+  std::map<std::string, std::vector<std::pair<std::string, const Block*>>> stated;
+  std::string part;
+  for (const Block& block : deck.blocks()) {
+    const std::string set = label_of(block.value_of("ELSET"));
+    if (block.keyword == "PART") {
+      part = label_of(block.value_of("NAME"));
+    } else if (block.keyword == "END PART") {
+      part.clear();
+    } else if (block.keyword == "ELSET") {
+      stated[set].emplace_back(part, &block);
+      labels_.insert(set);
+    } else if (block.keyword == "ELEMENT") {
+      labels_.insert(set);
+    } else if (block.keyword == "ELGEN" || block.keyword == "ELCOPY" || block.keyword == "IMPORT" ||
+               block.keyword == "RESTART") {
+      is_open_ = true;
+    } else if (block.keyword == "CONNECTOR SECTION" || block.keyword == "CHANGE FRICTION") {
+      want(set);
+    } else if (block.keyword == "CONNECTOR MOTION" || block.keyword == "CONNECTOR LOAD") {
+      deck.for_each_line(block, [&](std::string_view line) {
+        const Items items = split_items(line);
+        want(label_of(items.front()));
+      });
+    }
+  }
+  while (!unread_.empty()) {
+    const auto sets = stated.find(unread_.back());
+    unread_.pop_back();
+    if (sets == stated.end()) continue;
+    for (const auto& [of_part, block] : sets->second) read(of_part, *block);
+  }
+}
+
+/// Notes that a set is to be read, one of an instance by its name in the part, too.
+void ElementSets::want(const std::string& label) {
+  for (const std::string& one : {label, own_part(label)}) {
+    if (wanted_.insert(one).second) unread_.push_back(one);
+  }
+}
+
+void ElementSets::read(const std::string& part, const Block& block) {
+  const std::string label = label_of(block.value_of("ELSET"));
+  // Members in an instance are counted as those of its part.
+  const std::string instance = label_of(block.value_of("INSTANCE"));
+  std::vector<Range>& ranges = instance.empty() ? of_part_[part] : of_instance_[instance];
+  std::vector<std::string> members;
+  const bool generate = block.has("GENERATE");
+  for (const Items& items : deck_.lines(block)) {
+    if (generate) {
+      const long first = deck_.whole(items.front(), 0);
+      const long last = items.size() > 1 ? deck_.whole(items[1], first) : first;
+      const long step = items.size() > 2 ? deck_.whole(items[2], 0) : 1;
+      if (step < 1) deck_.error(items[2], block, "wanted a whole number of 1 or more");
+      ranges.push_back({label, first, last, std::max(1L, step)});
+      continue;
+    }
+    for (const std::string_view item : items) {
+      if (item.empty()) continue;
+      members.push_back(instance.empty() ? label_of(item) : instance + "." + label_of(item));
+    }
+  }
+  // A set of sets: those are wanted, too, wherever they stand.
+  for (const std::string& member : members) {
+    if (!starts_with_digit(own_part(member))) want(member);
+    holders_[member].push_back({part, label});
+  }
+}
+
+void ElementSets::expect(const std::string& label, std::string_view where,
+                         const Block& block) const {
+  const std::string own = own_part(label);
+  if (is_open_ || own.empty() || starts_with_digit(own) || labels_.count(own) > 0) return;
+  deck_.error(where, block, "there is no element set of that name");
+}
+
+/// Adds the sets that have one of these as a member, and those that have these.
+template <class Accepts>
+void ElementSets::add_holders(std::set<std::string>& labels, const Accepts& accepts) const {
+  std::vector<std::string> fresh(labels.begin(), labels.end());
+  while (!fresh.empty()) {
+    const auto holders = holders_.find(fresh.back());
+    fresh.pop_back();
+    if (holders == holders_.end()) continue;
+    for (const Scoped& one : holders->second) {
+      if (accepts(one) && labels.insert(one.label).second) fresh.push_back(one.label);
+    }
+  }
+}
+
+void ElementSets::add_sets_of(const std::string& part, long number,
+                              std::set<std::string>& labels) const {
+  if (const auto holders = holders_.find(std::to_string(number)); holders != holders_.end()) {
+    for (const Scoped& one : holders->second) {
+      if (one.part == part) labels.insert(one.label);
+    }
+  }
+  if (const auto ranges = of_part_.find(part); ranges != of_part_.end()) {
+    for (const Range& range : ranges->second) {
+      if (range.has(number)) labels.insert(range.label);
+    }
+  }
+  add_holders(labels, [](const Scoped&) { return true; });
+}
+
+void ElementSets::add_sets_of_instance(const std::string& instance, long number,
+                                       std::set<std::string>& labels) const {
+  if (const auto ranges = of_instance_.find(instance); ranges != of_instance_.end()) {
+    for (const Range& range : ranges->second) {
+      if (range.has(number)) labels.insert(range.label);
+    }
+  }
+  add_holders(labels, [](const Scoped& holder) { return holder.part.empty(); });
+}
+
+}  // namespace slipbench::driver::abaqus
