@@ -267,6 +267,67 @@ class HostileFiles(unittest.TestCase):
             self.assertLess(time.monotonic() - start, SECONDS)
             self.assertIn(words, said + ((self.folder / "long.yaml").read_text() if code == 0 else ""))
 
+    def test_a_contact_deck_with_a_part_that_means_nothing_is_refused(self):
+        deck = """*KEYWORD
+*PARAMETER
+Rmu       0.3
+*SET_PART_LIST
+         4
+        11        12
+*DEFINE_FRICTION
+         1      &mu       0.2       1.0       0.0
+         4         2       0.4       0.2       1.0       0.0      PSET
+*DEFINE_CURVE
+         9
+                 0.0                 0.3
+                 1.0                 0.4
+*DEFINE_TABLE_2D
+         5
+                 0.0                   9
+               100.0                   9
+*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID
+         8lid on drum
+         1         2         3         3
+       2.0        5.       0.0
+
+*END
+"""
+        self.write("deck.k", deck)
+        self.run_tool("import", "deck.k", "--all", "-o", "whole")
+        rows = (self.folder / "whole" / "deck_CONTACT_8.yaml").read_text()
+        self.assertIn("[0.3, 0, = 0*area]", rows)
+        parameter = "*PARAMETER\nRmu       0.5\n*DEFINE_CURVE"
+        for old, new, words in (("*DEFINE_CURVE", "*DEFINE_FRICTION\n         1       0.9\n*DEFINE_CURVE", "the id 1 stands twice"),
+                                ("*DEFINE_TABLE_2D", "*DEFINE_CURVE\n         9\n                 0.0                 0.3\n*DEFINE_TABLE_2D", "the id 9 stands twice"),
+                                ("*DEFINE_FRICTION\n", "*SET_PART_LIST\n         4\n        13\n*DEFINE_FRICTION\n", "the id 4 stands twice"),
+                                ("1.0       0.0\n         4", "1.0      -5.0\n         4", "VC must not be negative"),
+                                ("         4         2       0.4", "                   2       0.4", "wanted the id of a part"),
+                                ("\n                 0.0                 0.3", "\n                 0.x                 0.3", "A:")):
+            self.assertIn(old, deck)
+            self.write("deck.k", deck.replace(old, new, 1))
+            self.assertIn(words, self.run_tool("import", "deck.k", "--all", "-o", "parts", code=2), words)
+            self.assertFalse((self.folder / "parts").exists(), words)
+        for old, new, words, row in (("*DEFINE_CURVE", parameter, "'mu' stands twice: it keeps its first number", "static: 0.3"),
+                                     ("                 0.0                 0.3", "                                     0.3", "", "[0.3, 0, = 0*area]"),
+                                     ("*DEFINE_CURVE", "*DEFINE_FRICTION_SCALING\n         1       0.9\n*DEFINE_CURVE", "is not read", "static: 0.3"),
+                                     ("*DEFINE_FRICTION\n", "*SET_PART_LIST_COLLECT\n         4\n        13\n*DEFINE_FRICTION\n", "", "[11, 12, 13]"),
+                                     ("SURFACE_ID", "SURFACE_ORTHO_FRICTION_ID", "of _ORTHO_FRICTION, are not read", ""),
+                                     ("SURFACE_ID", "SURFACE_THERMAL_FRICTION_ID", "the curves over temperature of _THERMAL_FRICTION", "")):
+            self.assertIn(old, deck)
+            self.write("deck.k", deck.replace(old, new, 1))
+            shutil.rmtree(self.folder / "parts", ignore_errors=True)
+            self.assertIn(words, self.run_tool("import", "deck.k", "--all", "-o", "parts"), words)
+            self.assertIn(row, "".join(file.read_text() for file in sorted((self.folder / "parts").iterdir())), new)
+            self.assertEqual((self.folder / "parts" / "deck_CONTACT_8.yaml").exists(), "ORTHO" not in new)
+
+        for deck, words in (("#RADIOSS STARTER\n/BEGIN\nrun\n      20x7         0\n/GRPART/PART/3\ngroup\n         1\n/GRPART/PART/3\ngroup\n         2\n", "stands twice"),
+                            ("#RADIOSS STARTER\n/BEGIN\nrun\n      20x7         0\n", "version: wanted a number, found '20x7'"),
+                            ("#RADIOSS STARTER\n//SUBMODEL/1\nlid\n       1x0\n//ENDSUB\n", "off_def: wanted a number, found '1x0'"),
+                            ("#RADIOSS STARTER\n/PARAMETER/GLOBAL/REAL/1\na\n        mu       0.3\n/PARAMETER/GLOBAL/REAL/2\nb\n        mu       0.4\n", "'mu' stands twice, with 0.3 and 0.4")):
+            self.write("deck_0000.rad", deck + "/FRICTION/1\nlid\n         0\n                   0\n                                     0.3\n/END\n")
+            said = self.run_tool("import", "deck_0000.rad", "--id", "1", "-o", "out", code=0 if "version" in words else 2)
+            self.assertIn(words, said)
+
     def test_an_increment_that_does_not_end_is_given_up(self):
         potential = "potential: {exponent: 1.0001, terms: [{component: 2}, {component: 3}]}, contact_force: 1, coefficient: 0.2, stick: {elastic_slip: 0.01}"
         corner = "slipbench: 1\nconnector: {type: SLIDE-PLANE}\nintegration: {method: exact}\nfriction: [{" + potential + "}]\n" \

@@ -51,6 +51,7 @@ Coefficients read_coefficients(CardReader& cards, std::size_t card, std::size_t 
     cards.refuse(card, first + 2,
                  "DC must not be negative: the coefficient would grow with the velocity for ever");
   }
+  if (found.vc < 0.0) cards.refuse(card, first + 3, "VC must not be negative");
   return found;
 }
 
@@ -107,7 +108,13 @@ class FrictionReader {
         curve_of_block_[i] = {};
       }
       if (plain == "DEFINE_TABLE" || plain == "DEFINE_TABLE_2D") read_table(i);
-      if (keyword == "DEFINE_FRICTION" || keyword == "DEFINE_FRICTION_TITLE") read_definition(i);
+      if (plain == "DEFINE_FRICTION") {
+        read_definition(i);
+      } else if (plain.starts_with("DEFINE_FRICTION_")) {
+        const std::string_view where = deck_.blocks[i].where;
+        out_.warning(deck_.texts.name(where), deck_.texts.position(where), "*" + keyword,
+                     "is not read: what it changes of the friction is missing here");
+      }
     }
     for (const Block& block : deck_.blocks) {
       if (block.keyword.starts_with("CONTACT_")) read_contact(block);
@@ -134,8 +141,24 @@ class FrictionReader {
         if (part > 0) group.parts.push_back(part);
       }
     }
+    const auto collected = groups_.find(id);
+    if (is_option(block.keyword, "COLLECT") && collected != groups_.end()) {
+      std::vector<int>& parts = collected->second.parts;
+      parts.insert(parts.end(), group.parts.begin(), group.parts.end());
+      std::sort(parts.begin(), parts.end());
+      return;
+    }
     std::sort(group.parts.begin(), group.parts.end());
-    groups_[id] = std::move(group);
+    keep(groups_, id, std::move(group), cards, first);
+  }
+
+  /// Keeps what a keyword says under its id, which no other has.
+  template <class T>
+  static void keep(std::map<int, T>& all, int id, T one, CardReader& cards, std::size_t card) {
+    if (!cards.sound()) return;
+    if (!all.try_emplace(id, std::move(one)).second) {
+      cards.refuse(card, 0, fmt::format("the id {} stands twice", id));
+    }
   }
 
   void read_curve(std::size_t index) {
@@ -153,12 +176,12 @@ class FrictionReader {
     const double offo = cards.number(first, 5, "OFFO");
     Curve curve;
     for (std::size_t card = first + 1; card < cards.count(); ++card) {
-      if (cards.text(card, 0, 20).empty()) continue;
+      if (cards.is_blank(card)) continue;
       curve.emplace_back(sfa * (cards.number(card, 0, "A", 20) + offa),
                          sfo * (cards.number(card, 1, "O", 20) + offo));
     }
-    curves_[id] = curve;
-    curve_of_block_[index] = std::move(curve);
+    curve_of_block_[index] = curve;
+    keep(curves_, id, std::move(curve), cards, first);
   }
 
   void read_table(std::size_t index) {
@@ -170,10 +193,11 @@ class FrictionReader {
     Table table;
     table.block = index;
     for (std::size_t card = first + 1; card < cards.count(); ++card) {
+      if (cards.is_blank(card)) continue;
       table.values.emplace_back(cards.number(card, 0, "VALUE", 20),
                                 names_curves ? cards.id(card, 1, "LCID", 20) : 0);
     }
-    tables_[id] = std::move(table);
+    keep(tables_, id, std::move(table), cards, first);
   }
 
   void read_definition(std::size_t index) {
@@ -192,11 +216,12 @@ class FrictionReader {
     friction.otherwise = record(all, limited);
     std::set<int> met;
     for (std::size_t card = first + 1; card < cards.count(); ++card) {
-      if (cards.text(card, 0).empty()) continue;
+      if (cards.is_blank(card)) continue;
       const Coefficients set = read_coefficients(cards, card, 2);
       import::ContactRecord& pair = friction.pairs.emplace_back(record(set, limited));
       for (std::size_t side = 0; side < 2; ++side) {
         const int number = cards.id(card, side, "PID");
+        if (number <= 0) cards.refuse(card, side, "wanted the id of a part or of a set of parts");
         std::string type(cards.text(card, 6 + side));
         const bool is_set = type == "PSET" || type == "pset";
         pair.sides[side] = (is_set ? "S" : "") + std::to_string(number);
@@ -218,7 +243,7 @@ class FrictionReader {
            "of records that join the same two parts the last one holds here; *DEFINE_FRICTION "
            "does not say which one does"});
     }
-    definitions_[id] = std::move(friction);
+    keep(definitions_, id, std::move(friction), cards, first);
   }
 
   void read_contact(const Block& block) {
@@ -267,6 +292,15 @@ class FrictionReader {
       found_.push_back(std::move(found));
       return;
     }
+    if (is_option(block.keyword, "ORTHO_FRICTION")) {
+      found.passed_over = "its coefficients of two directions, of _ORTHO_FRICTION, are not read";
+      found_.push_back(std::move(found));
+      return;
+    }
+    if (is_option(block.keyword, "THERMAL_FRICTION")) {
+      found.friction.losses.push_back(
+          {Kind::kDropped, "the curves over temperature of _THERMAL_FRICTION"});
+    }
     const Coefficients set = read_coefficients(cards, first + 1, 0);
     const auto factor = [&](std::size_t field, std::string_view name) {
       const double value = cards.number(first + 2, field, name);
@@ -275,6 +309,12 @@ class FrictionReader {
     const double fsf = factor(6, "FSF");
     const double vsf = factor(7, "VSF");
     if (!cards.sound()) return;
+    if (fsf < 0.0 || vsf < 0.0) {
+      found.passed_over = fmt::format("{} has no meaning known here",
+                                      fsf < 0.0 ? "FSF " + number(fsf) : "VSF " + number(vsf));
+      found_.push_back(std::move(found));
+      return;
+    }
     take(set, fsf, vsf, found);
     found_.push_back(std::move(found));
   }

@@ -139,15 +139,19 @@ class Splitter {
   bool ended_ = false;
 };
 
-/// Gives a parameter a number, under its name as it is and in capitals and small letters.
-void set_parameter(std::string_view name, const import::ScriptNumber& number,
-                   base::NamedNumbers& parameters, import::ScriptNumbers& typed) {
-  const std::string capitals = in_capitals(name);
+/// Gives a parameter a number, under its name as it is and in capitals and small letters. One that
+/// has a number keeps it, as in the program unless *PARAMETER_DUPLICATION says otherwise.
+void set_parameter(std::string_view name, const import::ScriptNumber& number, KeywordDeck& deck,
+                   import::ScriptNumbers& typed, base::Diagnostics& out) {
   const std::string small = in_small_letters(name);
-  parameters[std::string(name)] = number.value;
-  parameters[capitals] = number.value;
-  parameters[small] = number.value;
-  typed[small] = number;
+  const auto [known, is_new] = typed.try_emplace(small, number);
+  if (!is_new && known->second.value != number.value) {
+    out.warning(deck.texts.name(name), deck.texts.position(name), "*PARAMETER",
+                fmt::format("'{}' stands twice: it keeps its first number", base::printable(name)));
+  }
+  for (const std::string& spelt : {std::string(name), in_capitals(name), small}) {
+    deck.parameters[spelt] = known->second.value;
+  }
 }
 
 /// Takes the numbers of *PARAMETER: pairs of "R name" and a value. Names know no case.
@@ -161,7 +165,7 @@ void take_parameters(KeywordDeck& deck, const Block& block, import::ScriptNumber
       if (type != "R" && type != "I") continue;
       const auto value = radioss::parse_fortran_number(reader.text(card, field + 1));
       if (!value) continue;
-      set_parameter(trimmed(word.substr(1)), {*value, type == "I"}, deck.parameters, typed);
+      set_parameter(trimmed(word.substr(1)), {*value, type == "I"}, deck, typed, out);
     }
   }
 }
@@ -199,7 +203,7 @@ void take_expressions(KeywordDeck& deck, const Block& block, import::ScriptNumbe
     }
     const bool whole = type == "I";
     set_parameter(trimmed(word.substr(1)), {whole ? std::trunc(value->value) : value->value, whole},
-                  deck.parameters, typed);
+                  deck, typed, out);
   }
 }
 
@@ -233,6 +237,10 @@ std::string_view CardReader::text(std::size_t card, std::size_t field, std::size
   // Long format widens fields of 10 columns; those of curves are 20 wide in both.
   const std::size_t width = block_.is_long ? std::max<std::size_t>(columns, 20) : columns;
   return trimmed(line.substr(std::min(field * width, line.size()), width));
+}
+
+bool CardReader::is_blank(std::size_t card) const {
+  return card >= block_.cards.size() || trimmed(block_.cards[card]).empty();
 }
 
 double CardReader::number(std::size_t card, std::size_t field, std::string_view name,

@@ -46,6 +46,8 @@ class CardReader {
   bool sound() const { return sound_; }
   /// The text of a field, without blanks around it; empty behind the last one.
   std::string_view text(std::size_t card, std::size_t field, std::size_t columns = 10) const;
+  /// Tells whether a card has nothing in it.
+  bool is_blank(std::size_t card) const;
   /// Its number; 0 where it is empty.
   double number(std::size_t card, std::size_t field, std::string_view name,
                 std::size_t columns = 10);

@@ -415,6 +415,15 @@ void add_friction(const DeckBlock& block, const StarterDeck& deck, DeckContents&
   contents.frictions.push_back(std::move(*friction));
 }
 
+/// Reports a version of the input that is no number: the cards of interfaces are counted by it.
+void judge_version(const DeckBlock& block, const StarterDeck& deck, base::Diagnostics& out) {
+  if (block.lines.size() < 2) return;
+  const auto version = read_field(block.lines[1], {0, 10, "version", true}, {});
+  if (version) return;
+  out.warning(deck.texts.name(block.lines[1]), deck.texts.position(version.error().text), "/BEGIN",
+              version.error().message, "read as one of the latest version");
+}
+
 /// Sorts what is looked up, and takes the parts that are not there out of the groups.
 void complete(DeckContents& contents) {
   sort_unique(contents.parts);
@@ -447,6 +456,7 @@ DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen,
   DeckContents contents;
   contents.has_includes = deck.has_includes;
   base::Diagnostics of_directions;
+  std::set<int> groups;
   for (const DeckBlock& block : deck.blocks) {
     const std::string& word = block.words.front();
     if (word == "FRICTION") {
@@ -463,6 +473,10 @@ DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen,
       }
     } else if (word == "GRPART" && block.words.size() > 2) {
       if (auto group = read_group(block, deck, out)) {
+        if (!groups.insert(group->id).second) {
+          out.error(deck.texts.name(block.keyword), deck.texts.position(block.keyword),
+                    shortened(block.keyword, 40), "stands twice");
+        }
         contents.groups.push_back(std::move(*group));
       }
     } else if (word == "PART") {
@@ -475,6 +489,7 @@ DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen,
         contents.interface_types.push_back(number);
       }
     } else if (word == "BEGIN") {
+      judge_version(block, deck, out);
       take_units(block, contents);
     } else if (word == "UNIT") {
       take_local_units(block, contents);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/import/radioss/starter_deck.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -9,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/format_number.hpp"
 #include "driver/import/radioss/deck_line.hpp"
 
 namespace slipbench::driver::radioss {
@@ -164,7 +168,10 @@ class Splitter {
   void take_offsets(std::string_view line) {
     const auto field = [&](std::size_t column, const char* name) {
       const auto value = read_field(line, {column * 10, 10, name, true}, {});
-      return value ? static_cast<int>(*value) : 0;
+      if (value) return static_cast<int>(*value);
+      out_.error(deck_.texts.name(line), deck_.texts.position(value.error().text), "//SUBMODEL",
+                 value.error().message);
+      return 0;
     };
     submodel_.offset = field(0, "off_def");
     submodel_.part_offset = field(3, "off_part");
@@ -200,7 +207,7 @@ class Splitter {
 };
 
 /// Takes the numbers of a /PARAMETER block: below the title a name and a number a line.
-void take_parameters(const DeckBlock& block, base::NamedNumbers& parameters) {
+void take_parameters(const DeckBlock& block, StarterDeck& deck, base::Diagnostics& out) {
   for (std::size_t i = 1; i < block.lines.size(); ++i) {
     const std::string_view line = block.lines[i];
     const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
@@ -208,7 +215,12 @@ void take_parameters(const DeckBlock& block, base::NamedNumbers& parameters) {
     const std::size_t number = std::min(line.find_first_not_of(" \t", end), line.size());
     // Texts and formulas are parameters, too, and nobody asks for them as numbers.
     if (const auto value = parse_fortran_number(line.substr(number))) {
-      parameters[std::string(line.substr(begin, end - begin))] = *value;
+      const std::string_view name = line.substr(begin, end - begin);
+      const auto [known, is_new] = deck.parameters.try_emplace(std::string(name), *value);
+      if (is_new || known->second == *value) continue;
+      out.error(deck.texts.name(name), deck.texts.position(name), "/PARAMETER",
+                fmt::format("'{}' stands twice, with {} and {}", base::printable(name),
+                            base::format_number(known->second), base::format_number(*value)));
     }
   }
 }
@@ -220,7 +232,7 @@ StarterDeck split_deck(const base::SourceText& source, const import::DeckFolder&
   StarterDeck deck{.texts = import::DeckTexts(source), .blocks = {}};
   Splitter(deck, folder, out).split(0);
   for (const DeckBlock& block : deck.blocks) {
-    if (block.words.front() == "PARAMETER") take_parameters(block, deck.parameters);
+    if (block.words.front() == "PARAMETER") take_parameters(block, deck, out);
   }
   return deck;
 }
