@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/base/units/parameters.hpp"
 #include "driver/calibrate/cleaning/resample.hpp"
 #include "driver/calibrate/fit/problem.hpp"
 #include "driver/read/keys/data_source_text.hpp"
@@ -184,14 +185,16 @@ struct ExperimentText {
     key("set", &ExperimentText::set,
         {.text = "Parameters of the case that have another value in this experiment.",
          .default_text = "none",
-         .unit = yaml::UnitUse::kAny});
+         .unit = yaml::UnitUse::kAny,
+         .most = base::kMostParameters});
     key("data", &ExperimentText::data, {.required = true, .text = "CSV file of the measurement."});
     key("time", &ExperimentText::time,
         {.required = true, .text = "The data's column that becomes the total time T of the case."});
     key("compare", &ExperimentText::compare,
         {.required = true,
          .text = "What is compared: {CSF1: force}, a result column or an expression "
-                 "(\"= CSF1 + 10\") and the data's column."});
+                 "(\"= CSF1 + 10\") and the data's column.",
+         .most = 100});
     key("weight", &ExperimentText::weight,
         {.text = "Weight of all squared residuals of the experiment.",
          .default_text = "1",
@@ -322,12 +325,14 @@ struct CalibrateText {
     key("vary", &CalibrateText::vary,
         {.text = "Parameters of the cases that are found; one name is one unknown in all "
                  "cases.",
-         .default_text = "tables"});
+         .default_text = "tables",
+         .most = 200});
     key("tables", &CalibrateText::tables,
         {.text = "Tables whose numbers are found: sleeve.coefficient or "
                  "sleeve.internal_contact_force, without the name where a case has one "
                  "definition.",
-         .default_text = "vary"});
+         .default_text = "vary",
+         .most = 200});
     key("loss", &CalibrateText::loss,
         {.text = "How residuals count: squares, or beyond a threshold by their magnitude: "
                  "{huber: t}, {soft_l1: t}, t in the residual's unit (in sigmas where "

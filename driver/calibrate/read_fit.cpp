@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/calibrate/read_fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -136,9 +139,8 @@ class FitReader {
     constexpr std::size_t kMostExperiments = 1000;
     for (const char* list : kLists) {
       const auto all = list_of(list);
-      if (!all || all->size() <= kMostExperiments) continue;
-      binder_.too_many(*all, yaml::Path() / "calibrate" / list, kMostExperiments);
-      return true;
+      const yaml::Path path = yaml::Path() / "calibrate" / list;
+      if (all && !binder_.few_enough(*all, path, kMostExperiments)) return true;
     }
     return false;
   }
@@ -146,11 +148,12 @@ class FitReader {
   /// The system of units that all cases state, for numbers with a unit; nothing if they differ.
   [[nodiscard]] std::optional<base::UnitSystem> units_of_cases() const {
     std::optional<base::UnitSystem> units;
+    std::set<std::string_view> met;
     for (const char* list : kLists) {
       const auto all = list_of(list);
       for (std::size_t i = 0; all && i < all->size(); ++i) {
         const auto file = (*all)[i].is_map() ? (*all)[i].find("case") : std::nullopt;
-        if (!file || !file->is_scalar()) continue;
+        if (!file || !file->is_scalar() || !met.insert(file->text()).second) continue;
         const auto source = base::read_source((folder_ / fs::path(file->text())).string());
         const auto tree = source ? yaml::parse_yaml(*source) : tl::unexpected(base::Diagnostics());
         if (!tree) continue;
@@ -167,10 +170,10 @@ class FitReader {
 
   void read_experiments(const CalibrateText& text) {
     for (const yaml::At<ExperimentText>& one : text.experiments.value) {
-      experiments_.push_back(reader_->read(one.value, *one.node));
+      read_experiment(one, one.value);
     }
     for (const yaml::At<HoldoutText>& one : text.holdout.value) {
-      experiments_.push_back(reader_->read(one.value.experiment, *one.node));
+      read_experiment(one, one.value.experiment);
       experiments_.back().fit.held_out = true;
     }
     if (text.experiments.sound && text.experiments.value.empty()) {
@@ -181,6 +184,21 @@ class FitReader {
     }
     check_names(text);
     name_experiments(experiments_);
+  }
+
+  /// Reads an experiment, of which what is compared counts.
+  void read_experiment(const auto& at, const ExperimentText& text) {
+    constexpr std::size_t kMostResponses = 2000;
+    experiments_.push_back(reader_->read(text, *at.node));
+    const std::size_t own = experiments_.back().fit.responses.size();
+    const bool few = responses_ <= kMostResponses;
+    responses_ += own;
+    if (few && responses_ > kMostResponses) {
+      binder_.error(
+          *at.node, at.path,
+          fmt::format("all experiments up to this one compare {} columns, at most {} are read",
+                      responses_, kMostResponses));
+    }
   }
 
   void check_names(const CalibrateText& text) {
@@ -254,14 +272,10 @@ class FitReader {
 
   /// Settings of the command line that no case takes.
   void check_overrides() {
-    std::vector<std::string> known;
-    bool all_parsed = true;
-    for (const ReadExperiment& one : experiments_) {
-      all_parsed = all_parsed && one.root.has_value();
-      for (const std::string& name : one.parameters) {
-        if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
-      }
-    }
+    const std::vector<std::string> known = parameters_of(experiments_);
+    const bool all_parsed =
+        std::all_of(experiments_.begin(), experiments_.end(),
+                    [](const ReadExperiment& one) { return one.root.has_value(); });
     const std::vector<std::string_view> names(known.begin(), known.end());
     for (const base::ParameterText& override : options_.overrides) {
       const auto say = [&](std::string message, std::string hint) {
@@ -275,7 +289,7 @@ class FitReader {
       } else if (all_parsed &&
                  std::find(known.begin(), known.end(), override.name) == known.end()) {
         say("no case has a parameter " + base::in_quotes(override.name),
-            yaml::nearest_or(
+            binder_.nearest_or(
                 override.name, names,
                 known.empty() ? "" : "parameters there are: " + base::few_in_words(names)));
       }
@@ -293,6 +307,7 @@ class FitReader {
   Fit fit_;
   std::optional<ExperimentReader> reader_;  ///< owns the texts that the experiments point into
   std::vector<ReadExperiment> experiments_;
+  std::size_t responses_ = 0;  ///< of all of them
 };
 
 }  // namespace

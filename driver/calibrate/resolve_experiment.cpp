@@ -140,11 +140,11 @@ void ExperimentReader::read_settings(const ExperimentText& text, ReadExperiment&
     if (!is_known(set.name)) {
       binder_.error(*set.key, set.path,
                     result.case_name + " has no parameter " + base::in_quotes(set.name),
-                    yaml::nearest_or(set.name, views(result.parameters),
-                                     result.parameters.empty()
-                                         ? "it has none at all"
-                                         : "its parameters are: " +
-                                               base::in_words(views(result.parameters), "and")));
+                    binder_.nearest_or(set.name, views(result.parameters),
+                                       result.parameters.empty()
+                                           ? "it has none at all"
+                                           : "its parameters are: " +
+                                                 base::few_in_words(views(result.parameters))));
       continue;
     }
     if (is_varied(set.name)) {
@@ -179,6 +179,7 @@ void ExperimentReader::read_case_file(const ExperimentText& text, ReadExperiment
     }
   }
   read_settings(text, result);
+  if (flooding_.contains(result.fit.case_path)) return;
   read::ReadOptions options;
   options.allow_outside = options_.allow_outside;
   options.overrides = result.fit.settings;
@@ -191,6 +192,9 @@ void ExperimentReader::read_case_file(const ExperimentText& text, ReadExperiment
   }
   read::ReadCase read = parsed->resolve(options);
   pass_on(read.diagnostics);
+  if (read.diagnostics.count(base::Severity::kError) > base::Diagnostics::kMaxKept) {
+    flooding_.insert(result.fit.case_path);
+  }
   out_.environment_failure |= read.environment_failure;
   out_.data_files.insert(out_.data_files.end(), read.data_files.begin(), read.data_files.end());
   if (!read.value) return;
@@ -229,7 +233,7 @@ void ExperimentReader::read_data(const ExperimentText& text, ExperimentFit& fit)
     binder_.error(
         *use->node, use->path,
         base::printable(fit.data_file) + " has no column " + base::in_quotes(use->value),
-        remedy.empty() ? yaml::nearest_or(use->value, views(names), columns) : columns + remedy);
+        remedy.empty() ? binder_.nearest_or(use->value, views(names), columns) : columns + remedy);
   }
   if (const auto chosen = base::CsvReader::open(*source, wanted); !chosen)
     return fail(chosen.error());
@@ -251,7 +255,7 @@ void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment
   const auto no_column = [&](const yaml::Node& node, const yaml::Path& path,
                              const std::string& name, std::string otherwise) {
     std::string hint = read::origin_of_column(name);
-    if (hint.empty()) hint = yaml::nearest_or(name, views(names), std::move(otherwise));
+    if (hint.empty()) hint = binder_.nearest_or(name, views(names), std::move(otherwise));
     binder_.error(node, path, result.case_name + " has no result column " + base::in_quotes(name),
                   std::move(hint));
   };

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
@@ -47,6 +49,7 @@ class ExperimentReader {
   std::span<const VariedParameter> varied_;
   ReadFit& out_;
   std::map<std::string, Parsed> parsed_;
+  std::set<std::filesystem::path> flooding_;  ///< cases with more errors than are kept: read once
   std::optional<base::CsvReader> data_;  ///< header of the experiment that is read, if it has one
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -109,6 +111,17 @@ std::vector<std::size_t> definitions_of(const cases::Case& problem, std::string_
   return found;
 }
 
+std::vector<std::string> parameters_of(std::span<const ReadExperiment> experiments) {
+  std::vector<std::string> names;
+  std::set<std::string_view> met;
+  for (const ReadExperiment& experiment : experiments) {
+    for (const std::string& name : experiment.parameters) {
+      if (met.insert(name).second) names.push_back(name);
+    }
+  }
+  return names;
+}
+
 VariedParameter varied_parameter(yaml::Binder& binder, const yaml::Named<VaryText>& text) {
   VariedParameter result;
   result.name = text.name;
@@ -130,12 +143,11 @@ VariedParameter varied_parameter(yaml::Binder& binder, const yaml::Named<VaryTex
 void settle_parameters(yaml::Binder& binder, const yaml::NamedMap<VaryText>& texts,
                        std::span<const ReadExperiment> experiments,
                        std::vector<VariedParameter>& parameters) {
-  std::vector<std::string> known;
+  const std::vector<std::string> known = parameters_of(experiments);
   // Without a fitted experiment, or a case that was understood, more words would only repeat that.
   bool all_parsed = any_fitted(experiments);
   for (const ReadExperiment& experiment : experiments) {
     all_parsed = all_parsed && experiment.root.has_value();
-    for (const std::string& name : experiment.parameters) add_once(known, name);
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     VariedParameter& parameter = parameters[i];
@@ -152,10 +164,10 @@ void settle_parameters(yaml::Binder& binder, const yaml::NamedMap<VaryText>& tex
       const std::vector<std::string_view> names(known.begin(), known.end());
       binder.error(
           *text.key, text.path, "no case has a parameter " + base::in_quotes(text.name),
-          yaml::nearest_or(text.name, names,
-                           known.empty() ? "give the number a name under 'parameters:' of its "
-                                           "case, and write '= NAME' in its place"
-                                         : "parameters there are: " + list_of(known)));
+          binder.nearest_or(text.name, names,
+                            known.empty() ? "give the number a name under 'parameters:' of its "
+                                            "case, and write '= NAME' in its place"
+                                          : "parameters there are: " + list_of(known)));
       continue;
     }
     if (!fitted && all_parsed) {
@@ -281,9 +293,9 @@ class TableSearch {
     const std::vector<std::string> tables = all_tables();
     const std::vector<std::string_view> names(tables.begin(), tables.end());
     error("no case has a table " + base::in_quotes(text_.name),
-          yaml::nearest_or(text_.name, names,
-                           tables.empty() ? how_to_write(VariedTable::Use::kCoefficient)
-                                          : "tables there are: " + list_of(tables)));
+          binder_.nearest_or(text_.name, names,
+                             tables.empty() ? how_to_write(VariedTable::Use::kCoefficient)
+                                            : "tables there are: " + list_of(tables)));
   }
 
   static std::string how_to_write(VariedTable::Use use) {

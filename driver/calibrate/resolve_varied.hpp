@@ -27,6 +27,9 @@ struct ReadExperiment {
 /// none.
 std::vector<std::size_t> definitions_of(const cases::Case& problem, std::string_view definition);
 
+/// The parameters of all cases, each once, in their order.
+std::vector<std::string> parameters_of(std::span<const ReadExperiment> experiments);
+
 /// Start, bounds and scale of a parameter, checked against each other. The start is not a number
 /// if the fit leaves it to the case.
 VariedParameter varied_parameter(yaml::Binder& binder, const yaml::Named<VaryText>& text);

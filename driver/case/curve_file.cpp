@@ -10,6 +10,7 @@
 #include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/csv/printed_digits.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/suggestions.hpp"
 
 namespace slipbench::driver::cases {
 namespace {
@@ -118,9 +119,14 @@ tl::expected<const CurveFile::Column*, std::string> CurveFile::column(
   for (const std::string_view name : wanted) {
     quoted += fmt::format("{}'{}'", quoted.empty() ? "" : " or ", base::printable(name));
   }
+  for (const std::string_view name : wanted) {
+    if (std::count(there.begin(), there.end(), name) < 2) continue;
+    return tl::unexpected(
+        fmt::format("{}: two columns are named '{}'", source_.shown_name, base::printable(name)));
+  }
   std::string message =
       fmt::format("{}: no column {}; the columns are {}{}", source_.shown_name, quoted,
-                  base::printable(base::in_words(there, "and")), file.remedy);
+                  base::printable(base::few_in_words(there)), file.remedy);
   if (wanted.size() == 1 && file.remedy.empty()) {
     if (const auto nearest = base::nearest_name(wanted.front(), there)) {
       message += fmt::format("; did you mean '{}'?", base::printable(*nearest));

@@ -169,8 +169,8 @@ std::string described(const Meaning& meaning) {
   const yaml::KeyRow& row = *meaning.row;
   const yaml::KeyInfo& info = row.info;
   std::string type = row.wanted;
-  if (const std::string bounds = yaml::in_words(info.bounds); !bounds.empty())
-    type += ", " + bounds;
+  if (const std::string limits = yaml::limits_in_words(info); !limits.empty())
+    type += ", " + limits;
   const std::string fallback =
       info.required
           ? "required"

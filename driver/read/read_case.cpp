@@ -52,9 +52,9 @@ void report(yaml::Binder& binder, const yaml::Node& root, base::Diagnostics& out
   std::string hint;
   if (!wanted.empty()) {
     hint =
-        yaml::nearest_or(wanted, known,
-                         known.empty() ? "this case has no parameters"
-                                       : "parameters of this case: " + base::few_in_words(known));
+        binder.nearest_or(wanted, known,
+                          known.empty() ? "this case has no parameters"
+                                        : "parameters of this case: " + base::few_in_words(known));
   }
   out.error(root.source().name(), {}, "--set " + definition.text.name, error.error.message,
             std::move(hint));
@@ -70,15 +70,6 @@ void resolve(yaml::Binder& binder, const yaml::Node& root, base::Diagnostics& ou
     for (const Definition& definition : definitions) list.push_back(definition.text);
     return list;
   };
-  // Each formula knows the names of all.
-  constexpr std::size_t kMostParameters = 2000;
-  if (parameters.size() > kMostParameters) {
-    const std::string fault = fmt::format("there are more than {} parameters", kMostParameters);
-    report(binder, root, out, parameters[kMostParameters],
-           {kMostParameters, false, true, {fault, -1, {}}}, names);
-    result.unresolved.assign(names.begin(), names.end());
-    return;
-  }
   // Each round takes away those that the last one had taken their names from: a chain as long as
   // kMostRounds is followed to its end, and all of a longer one counts as unresolved.
   constexpr int kMostRounds = 8;
@@ -136,6 +127,11 @@ Parameters read_parameters(const yaml::Node& root, const base::UnitSystem& units
   std::vector<std::string> names;
   if (map && map->is_map()) {
     for (const yaml::Entry entry : map->entries()) names.emplace_back(entry.key.text());
+  }
+  if (names.size() > base::kMostParameters) {
+    // Reported with the key; no number that uses one is a fault of its own.
+    result.unresolved = std::move(names);
+    return result;
   }
   const base::NamedNumbers none;
   // Knows the names only, for suggestions.

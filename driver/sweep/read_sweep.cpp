@@ -155,9 +155,9 @@ class SweepReader {
     const std::vector<std::string_view> names(known.begin(), known.end());
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       binder_.error(node, path, "the case has no parameter " + base::in_quotes(name),
-                    yaml::nearest_or(name, names,
-                                     known.empty() ? "it has no 'parameters:'"
-                                                   : "it has " + base::few_in_words(names)));
+                    binder_.nearest_or(name, names,
+                                       known.empty() ? "it has no 'parameters:'"
+                                                     : "it has " + base::few_in_words(names)));
     }
     for (const base::ParameterText& setting : options_.overrides) {
       if (setting.name != name) continue;
@@ -193,8 +193,11 @@ class SweepReader {
     }
     if (names.empty()) return say("the file has no column of a parameter");
     if (parsed) {
+      const std::size_t before = binder_.errors();
       const std::vector<std::string> known = parameters_of(parsed);
       for (const std::string& name : names) check_varied(name, known, *csv.node, csv.path);
+      // A file may have far more columns than a case parameters.
+      if (binder_.errors() > before) return {};
     }
     auto reader = base::CsvReader::open(*source, names);
     if (!reader) return refuse(reader.error());

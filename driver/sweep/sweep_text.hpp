@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/base/units/parameters.hpp"
 #include "driver/read/keys/data_source_text.hpp"
 #include "driver/sweep/sweep.hpp"
 #include "driver/yaml/binding.hpp"
@@ -129,7 +130,8 @@ struct SweepKeysText {
         {.required = true, .text = "Case file that is run again and again."});
     key("vary", &SweepKeysText::vary,
         {.text = "Parameters of the case, and what their values are drawn from.",
-         .default_text = "required without csv"});
+         .default_text = "required without csv",
+         .most = base::kMostParameters});
     key("csv", &SweepKeysText::csv,
         {.text = "File of samples: a column for each parameter that is varied, a row a sample; a "
                  "column id is passed over.",
@@ -151,7 +153,9 @@ struct SweepKeysText {
                  "many runs as there are parameters, and two.",
          .default_text = "false"});
     key("collect", &SweepKeysText::collect,
-        {.required = true, .text = "Numbers of each run, by name: {peak: {max: CSF1}}."});
+        {.required = true,
+         .text = "Numbers of each run, by name: {peak: {max: CSF1}}.",
+         .most = 1000});
   }
 };
 

@@ -78,8 +78,10 @@ void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wan
   error(node, path, "wanted " + std::string(wanted) + ", found " + found, std::move(hint));
 }
 
-void Binder::too_many(const Node& list, const Path& path, std::size_t most) {
-  error(list, path, fmt::format("{} items, at most {} are read", list.size(), most));
+bool Binder::few_enough(const Node& items, const Path& path, std::size_t most) {
+  if (items.size() <= most) return true;
+  error(items, path, fmt::format("{} items, at most {} are read", items.size(), most));
+  return false;
 }
 
 std::string_view default_text(double number) {
@@ -316,8 +318,13 @@ std::string in_words(const law::Bounds& bounds) {
   return "";
 }
 
-std::string nearest_or(std::string_view name, std::span<const std::string_view> names,
-                       std::string otherwise) {
+std::string limits_in_words(const KeyInfo& info) {
+  return info.most > 0 ? fmt::format("at most {}", info.most) : in_words(info.bounds);
+}
+
+std::string Binder::nearest_or(std::string_view name, std::span<const std::string_view> names,
+                               std::string otherwise) const {
+  if (flooded()) return {};
   const auto nearest = base::nearest_name(name, names);
   return nearest ? "did you mean " + base::in_quotes(*nearest) + "?" : std::move(otherwise);
 }
@@ -403,7 +410,9 @@ bool Codec<int>::read(Binder& binder, const Node& node, const Path& path, const 
   }
   if (!binder.in_bounds(static_cast<double>(integer), node, path, info.bounds)) return false;
   if (integer > std::numeric_limits<int>::max() || integer < std::numeric_limits<int>::min()) {
-    binder.error(node, path, "is too large an integer");
+    binder.error(node, path,
+                 fmt::format("wanted an integer of at most {} digits, found {}",
+                             std::numeric_limits<int>::digits10, integer));
     return false;
   }
   out = static_cast<int>(integer);
@@ -499,7 +508,7 @@ bool read_word(Binder& binder, const Node& node, const Path& path,
   const auto word = std::find(words.begin(), words.end(), node.text());
   if (word == words.end()) {
     binder.error(node, path, "wanted " + listed(words) + ", found " + base::in_quotes(node.text()),
-                 nearest_or(node.text(), words, ""));
+                 binder.nearest_or(node.text(), words, ""));
     return false;
   }
   index = static_cast<std::size_t>(word - words.begin());

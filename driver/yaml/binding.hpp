@@ -55,6 +55,7 @@ struct KeyInfo {
   law::Bounds bounds = {};
   UnitUse unit = UnitUse::kDeclared;
   bool difference = false;  ///< of a temperature: a difference, to which 20 degF adds no offset
+  std::size_t most = 0;     ///< so many items of a list or names of a map, at most; 0: any number
 };
 
 /// One line of the case reference.
@@ -145,12 +146,17 @@ class Binder {
   std::optional<std::string_view> unknown_key(const Node& key, const Path& path,
                                               std::span<const std::string_view> allowed,
                                               std::string_view hint = {});
+  /// The hint for an unknown name: "did you mean 'normal'?", or `otherwise` if none is near;
+  /// nothing once flooded, as nobody reads it.
+  [[nodiscard]] std::string nearest_or(std::string_view name,
+                                       std::span<const std::string_view> names,
+                                       std::string otherwise) const;
   void missing_key(const Node& map, const Path& path, std::string_view key,
                    std::string_view wanted);
   /// "wanted a number, found a list".
   void wrong_kind(const Node& node, const Path& path, std::string_view wanted);
-  /// "60000 items, at most 9000 are read".
-  void too_many(const Node& list, const Path& path, std::size_t most);
+  /// Checks how many items a list has, or names a map: "60000 items, at most 9000 are read".
+  bool few_enough(const Node& items, const Path& path, std::size_t most);
   /// Checks bounds; "must not be negative (found -0.1)".
   bool in_bounds(double value, const Node& node, const Path& path, const law::Bounds& bounds);
 
@@ -201,13 +207,11 @@ class Binder {
   bool unknown_names_excused_ = false;
 };
 
-/// Bounds in words: "not negative", "greater than 0", "between 0 and 1"; empty if any number will
-/// do.
+/// Bounds in words: "at least 0", "greater than 0", "between 0 and 1"; empty if any number will do.
 std::string in_words(const law::Bounds& bounds);
 
-/// The hint for an unknown name: "did you mean 'normal'?", or `otherwise` if none is near.
-std::string nearest_or(std::string_view name, std::span<const std::string_view> names,
-                       std::string otherwise);
+/// The same of a key: of its number, or of how many items it has ("at most 1000").
+std::string limits_in_words(const KeyInfo& info);
 
 /// Rules by which one type is read, described in JSON Schema, and listed in the case reference:
 ///   static bool read(Binder&, const Node&, const Path&, const KeyInfo&, T& out);
@@ -556,10 +560,8 @@ struct Codec<std::vector<T>> {
     }
     // The items of a list may be a thousand times as large as their text: 32 MB is enough.
     constexpr std::size_t kMostItems = (std::size_t{1} << 25U) / sizeof(T);
-    if (node.size() > kMostItems) {
-      binder.too_many(node, path, kMostItems);
-      return false;
-    }
+    const std::size_t most = info.most > 0 ? info.most : kMostItems;
+    if (!binder.few_enough(node, path, most)) return false;
     bool good = true;
     out.clear();
     out.reserve(node.size());
@@ -574,6 +576,7 @@ struct Codec<std::vector<T>> {
     Json schema;
     schema["type"] = "array";
     schema["items"] = Codec<T>::schema(info);
+    if (info.most > 0) schema["maxItems"] = static_cast<double>(info.most);
     return schema;
   }
   static std::string wanted(const KeyInfo& info) {
@@ -595,6 +598,7 @@ struct Codec<std::vector<Named<T>>> {
       binder.wrong_kind(node, path, wanted(info));
       return false;
     }
+    if (info.most > 0 && !binder.few_enough(node, path, info.most)) return false;
     bool good = true;
     out.clear();
     out.reserve(node.size());
@@ -613,6 +617,7 @@ struct Codec<std::vector<Named<T>>> {
     Json schema;
     schema["type"] = "object";
     schema["additionalProperties"] = Codec<T>::schema(info);
+    if (info.most > 0) schema["maxProperties"] = static_cast<double>(info.most);
     return schema;
   }
   static std::string wanted(const KeyInfo& info) {

@@ -207,14 +207,52 @@ class HostileFiles(unittest.TestCase):
         case = SLIDER.format(title="Much", history=STEP.format(name="a"))
         for formula in ("= q{}", "= p{1}", "=1"):
             parameters = "".join(f"  p{i}: {formula.format(i, (i + 1) % 60000)}\n" for i in range(60000))
-            self.refused_in_time(case + "parameters:\n" + parameters, "there are more than 2000 parameters")
+            self.refused_in_time(case + "parameters:\n" + parameters, "parameters: 60000 items, at most 2000 are read")
         columns = ", ".join(f"CP{i}" for i in range(10, 100000))
         self.refused_in_time(case + f"output: {{columns: [{columns}]}}\n", "no result column 'CP10'")
         steps = "".join(f"  - {{step: s{i}, increments: 1}}\n" for i in range(10000))
         checks = "".join(f"  - {{name: c{i}, quantity: CSF1, step: z{i}, against: {{expression: '= 20'}}, tolerance: {{absolute: 1, why: a}}}}\n" for i in range(5000))
-        self.refused_in_time(case + steps + "checks:\n" + checks, "no step 'z0'")
+        self.refused_in_time(case + steps + "checks:\n" + checks, "checks: 5000 items, at most 1000 are read")
+        self.refused_in_time(case + steps + "checks:\n" + "".join(checks.splitlines(True)[:1000]), "no step 'z0'")
         rings = case.replace("{type: SLOT}", "{type: SLIPRING, wrap_angle: [" + "0.1, " * 20000 + "0.1]}")
         self.refused_in_time(rings, "a belt has at most 1000 rings")
+
+    def test_much_of_one_thing_in_a_sweep_or_a_fit_is_refused_in_time(self):
+        self.slider("one.yaml")
+        parameters = "".join(f"  parameter_number_{i}: {i}\n" for i in range(1900))
+        self.write("many.yaml", SLIDER.format(title="Many", history=STEP.format(name="a")) + "parameters:\n" + parameters)
+        self.write("faulty.yaml", SLIDER.format(title="Faulty", history=STEP.format(name="a")) + "".join(f"key_{i}: 1\n" for i in range(20000)))
+        unknown = [f"parametre_numbr_{i}" for i in range(40000)]
+        self.write("drawn.csv", ",".join(unknown) + "\n" + ",".join("1" for _ in unknown) + "\n")
+        self.write("fewer.csv", ",".join(unknown[:9000]) + "\n" + ",".join("1" for _ in unknown[:9000]) + "\n")
+        sweep = "slipbench: 1\nsweep: {{case: many.yaml, samples: 4, {}, collect: {{{}}}}}\n"
+        vary = "vary: {{{}}}"
+        for count, words in ((2000, "no parameter 'parametre_numbr_0'"), (20000, "sweep.vary: 20000 items, at most 2000 are read")):
+            varied = vary.format(", ".join(f"{name}: {{uniform: [0, 1]}}" for name in unknown[:count]))
+            self.refused_in_time(sweep.format(varied, "a: {max: CSF1}"), words, command=("sweep", "{}", "--no-output"))
+        for file, words in (("drawn.csv", "the file has more than 10000 columns"), ("fewer.csv", "no parameter 'parametre_numbr_0'")):
+            drawn = sweep.format(f"csv: {file}", "a: {max: CSF1}").replace("samples: 4, ", "")
+            self.refused_in_time(drawn, words, command=("sweep", "{}", "--no-output"))
+        collected = ", ".join(f"a{i}: {{max: CSF1*{i}}}" for i in range(30000))
+        self.refused_in_time(sweep.format(vary.format("parameter_number_1: {uniform: [0, 1]}"), collected), "at most 1000 are read",
+                             command=("sweep", "{}", "--no-output"))
+
+        self.write("rig.csv", "t,F\n0,0\n1,1\n2,0\n")
+        fit = "slipbench: 1\ncalibrate:\n  vary: {{{}}}\n  experiments:\n{}"
+        experiment = "    - {{case: {}, data: rig.csv, time: t, compare: {{{}}}{}}}\n"
+        one = experiment.format("many.yaml", "CSF1: {column: F, sigma: 1}", "")
+        varied = ", ".join(f"{name}: {{bounds: [0, 1]}}" for name in unknown[:200])
+        settings = ", set: {" + ", ".join(f"{name}: 1" for name in unknown[:2000]) + "}"
+        compared = [f'"= CSF1 + {i}": {{column: F, sigma: 1}}' for i in range(10000)]
+        known = "parameter_number_1: {bounds: [0, 9]}"
+        for text, words in (
+                (fit.format(varied, one * 1000), "no case has a parameter 'parametre_numbr_0'"),
+                (fit.format(known, experiment.format("many.yaml", "CSF1: F", settings)), "many.yaml has no parameter 'parametre_numbr_0'"),
+                (fit.format(known, experiment.format("faulty.yaml", "CSF1: F", "") * 500), "unknown key"),
+                (fit.format(known, experiment.format("one.yaml", ", ".join(compared), "")), "compare: 10000 items, at most 100 are read"),
+                (fit.format(known, experiment.format("one.yaml", ", ".join(compared[:100]), "") * 100), "compare 2100 columns, at most 2000 are read")):
+            self.refused_in_time(text, words, command=("calibrate", "{}", "-o", "fitted"))
+            self.assertFalse((self.folder / "fitted").exists())
 
     def test_no_command_waits_for_a_pipe(self):
         self.slider("case.yaml")
@@ -266,6 +304,15 @@ class HostileFiles(unittest.TestCase):
             said = self.run_tool("import", "slot.inp", "-o", "long.yaml", "--force", code=code)
             self.assertLess(time.monotonic() - start, SECONDS)
             self.assertIn(words, said + ((self.folder / "long.yaml").read_text() if code == 0 else ""))
+
+    def test_a_message_about_a_curve_lists_few_of_its_columns(self):
+        names = [f"c{i}" for i in range(9000)]
+        self.write("wide.csv", "t," + ",".join(names) + "\n" + "".join(f"{t}" + ",0" * len(names) + "\n" for t in (0, 1)))
+        self.write("twice.csv", "t,F,F\n0,0,0\n1,0,0\n")
+        check = "  - {{name: d{}, quantity: CSF1, against: {{curve: {}, column: {}}}, tolerance: {{absolute: 1, why: a}}}}\n"
+        case = SLIDER.format(title="Wide", history=STEP.format(name="a")) + "checks:\n"
+        self.refused_in_time(case + check.format(0, "wide.csv", "F"), "the columns are t, c0, c1, c2, c3 and 8996 more", code=1)
+        self.refused_in_time(case + check.format(0, "twice.csv", "F"), "twice.csv: two columns are named 'F'", code=1)
 
     def test_a_contact_deck_with_a_part_that_means_nothing_is_refused(self):
         deck = """*KEYWORD

@@ -150,7 +150,14 @@ tl::expected<void, HistoryError> CsvReader::File::read_header(
   }
   decimal = format.decimal;
   separator = format.separator == '\0' ? detect_separator(line, decimal) : format.separator;
-  header = header_names(line, separator);
+  // Counted before the names are made: a check that names such a file asks for them again.
+  if (static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) < kMostColumns ||
+      separator == ' ') {
+    header = header_names(line, separator);
+  }
+  if (header.empty() || header.size() > kMostColumns) {
+    return error(header_line, 0, fmt::format("the file has more than {} columns", kMostColumns));
+  }
   if (header.size() > 1 && header.back().empty()) {
     return error(header_line, line.size() - 1,
                  fmt::format("the header ends with a separator ({}){}", separator_name(separator),

@@ -16,16 +16,19 @@
 
 namespace slipbench::driver::base {
 
+/// So many columns a file has, at most: every check that names the file looks through them.
+inline constexpr std::size_t kMostColumns = 10'000;
+
 /// Reads chosen columns of a CSV file row by row, in blocks: the memory does not grow with the
 /// file.
 ///
 /// The file is text, UTF-8 (its names may be Latin-1): comment lines that start with '#', one
-/// header row with the columns' names, then rows of numbers. Lines end with LF or CRLF, a UTF-8
-/// byte order mark is skipped, names and numbers may stand in double quotes; separator and decimal
-/// mark are those of the format, whatever the locale. A column is found by its name in the header,
-/// or by that without the unit behind it: 'Force' is 'Force (N)' too. Columns that are not asked
-/// for may hold anything. Every error names the line, the column where one is concerned, and the
-/// option of a data source that would read the file if there is one.
+/// header row with at most kMostColumns names, then rows of numbers. Lines end with LF or CRLF, a
+/// UTF-8 byte order mark is skipped, names and numbers may stand in double quotes; separator and
+/// decimal mark are those of the format, whatever the locale. A column is found by its name in the
+/// header, or by that without the unit behind it: 'Force' is 'Force (N)' too. Columns that are not
+/// asked for may hold anything. Every error names the line, the column where one is concerned, and
+/// the option of a data source that would read the file if there is one.
 class CsvReader {
  public:
   /// Opens the file and finds `columns` in its header.

@@ -27,6 +27,9 @@ struct ParameterError {
   ExpressionError error;       ///< Its offset counts in the expression's text.
 };
 
+/// So many parameters a case has, at most: the formula of each knows the names of all.
+inline constexpr std::size_t kMostParameters = 2000;
+
 /// Gives every parameter its value.
 ///
 /// Parameters may use one another in any order. An override replaces the value of the parameter

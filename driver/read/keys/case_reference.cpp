@@ -28,8 +28,8 @@ std::string cell(std::string_view text) {
 
 void add_row(std::string& out, const yaml::KeyRow& row) {
   std::string wanted = row.wanted;
-  if (const std::string bounds = yaml::in_words(row.info.bounds); !bounds.empty())
-    wanted += ", " + bounds;
+  if (const std::string limits = yaml::limits_in_words(row.info); !limits.empty())
+    wanted += ", " + limits;
   if (const std::string d = dimension_text(row.info.dimension); !d.empty())
     wanted += " [" + d + "]";
   const std::string fallback =

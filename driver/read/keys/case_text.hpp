@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "driver/base/units/parameters.hpp"
 #include "driver/case/integration.hpp"
 #include "driver/check/criteria/criteria.hpp"
 #include "driver/history/profile.hpp"
@@ -1088,7 +1089,8 @@ struct CaseText {
     key("parameters", &CaseText::parameters,
         {.text = "Named numbers for expressions, --set, sweeps and fits.",
          .default_text = "none",
-         .unit = yaml::UnitUse::kAny});
+         .unit = yaml::UnitUse::kAny,
+         .most = base::kMostParameters});
     key("connector", &CaseText::connector, {.required = true, .text = "The connector."});
     key("derived_components", &CaseText::derived_components,
         {.text = "Named contact forces g(f); the terms of a name are added.",
@@ -1124,7 +1126,7 @@ struct CaseText {
     key("output", &CaseText::output,
         {.text = "What the result file holds.", .default_text = "everything"});
     key("checks", &CaseText::checks,
-        {.text = "What the run is held against.", .default_text = "none"});
+        {.text = "What the run is held against.", .default_text = "none", .most = 1000});
   }
 };
 

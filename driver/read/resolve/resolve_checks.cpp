@@ -32,10 +32,10 @@ std::vector<std::string> check_variables(const cases::Case& problem) {
 }
 
 /// The hint for a name that is no result column of this case.
-std::string column_hint(std::string_view name, std::span<const std::string_view> columns,
-                        std::string otherwise) {
+std::string column_hint(const yaml::Binder& binder, std::string_view name,
+                        std::span<const std::string_view> columns, std::string otherwise) {
   std::string origin = origin_of_column(name);
-  return origin.empty() ? yaml::nearest_or(name, columns, std::move(otherwise)) : origin;
+  return origin.empty() ? binder.nearest_or(name, columns, std::move(otherwise)) : origin;
 }
 
 /// The result columns that carry what a closed form's signals are called.
@@ -137,7 +137,7 @@ std::optional<cases::ExpressionReference> input_of(yaml::Binder& binder, const A
     const std::vector<std::string_view> names(variables.begin(), variables.end());
     binder.error(*given->node, given->path,
                  "no result column '" + base::printable(given->value) + "'",
-                 column_hint(given->value, names,
+                 column_hint(binder, given->value, names,
                              "an expression begins with '='; known: " + base::few_in_words(names)));
   }
   return std::nullopt;
@@ -243,7 +243,7 @@ std::optional<cases::ClosedFormReference> closed_form(yaml::Binder& binder, cons
       binder.error(*text.output.node, text.output.path,
                    "wanted " + base::in_words(names) + ", found '" +
                        base::printable(text.output.value) + "'",
-                   yaml::nearest_or(text.output.value, names, ""));
+                   binder.nearest_or(text.output.value, names, ""));
       good = false;
     } else {
       result.output = static_cast<int>(found - names.begin());
@@ -405,9 +405,9 @@ void read_check(yaml::Binder& binder, const yaml::At<CheckText>& at,
       std::find(steps.names.begin(), steps.names.end(), text.step.value) == steps.names.end()) {
     binder.error(
         *text.step.node, text.step.path, "no step '" + base::printable(text.step.value) + "'",
-        yaml::nearest_or(text.step.value, steps.names,
-                         steps.names.empty() ? "a measured history has no steps"
-                                             : "steps: " + base::few_in_words(steps.names)));
+        binder.nearest_or(text.step.value, steps.names,
+                          steps.names.empty() ? "a measured history has no steps"
+                                              : "steps: " + base::few_in_words(steps.names)));
     good = false;
   }
   const OverText& over = text.over.value;
@@ -476,9 +476,9 @@ void resolve_output_and_checks(yaml::Binder& binder, const CaseText& text, cases
       out.output_columns.push_back(column.value);
     } else if (!binder.unknown_names_excused()) {
       ++unknown;
-      binder.error(*column.node, column.path,
-                   "no result column '" + base::printable(column.value) + "'",
-                   column_hint(column.value, columns, "known: " + base::few_in_words(columns)));
+      binder.error(
+          *column.node, column.path, "no result column '" + base::printable(column.value) + "'",
+          column_hint(binder, column.value, columns, "known: " + base::few_in_words(columns)));
     }
   }
   const StepNames steps = step_names(text);

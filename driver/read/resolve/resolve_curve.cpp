@@ -107,11 +107,11 @@ std::optional<AbscissaChoice> own_abscissa(yaml::Binder& binder, const CheckText
   names.push_back("time");
   names.push_back("accumulated_slip");
   const std::string origin = origin_of_column(at.value);
-  binder.error(
-      *at.node, at.path,
-      "wanted time, accumulated_slip, a result column or an expression, found '" +
-          base::printable(at.value) + "'",
-      origin.empty() ? yaml::nearest_or(at.value, names, "an expression begins with '='") : origin);
+  binder.error(*at.node, at.path,
+               "wanted time, accumulated_slip, a result column or an expression, found '" +
+                   base::printable(at.value) + "'",
+               origin.empty() ? binder.nearest_or(at.value, names, "an expression begins with '='")
+                              : origin);
   return std::nullopt;
 }
 
@@ -156,12 +156,12 @@ std::optional<cases::CurveReference> curve_file(yaml::Binder& binder,
       const std::vector<check::ShippedCurve> curves = check::shipped_curves();
       std::vector<std::string_view> names;
       for (const check::ShippedCurve& curve : curves) names.push_back(curve.name);
-      binder.error(*at.node, at.path,
-                   "no curve '" + base::printable(at.value) + "' comes with slipbench",
-                   yaml::nearest_or(at.value, names,
-                                    "'slipbench list curves' shows them; a file of your own has an "
-                                    "ending, as in '" +
-                                        base::printable(at.value) + ".csv'"));
+      binder.error(
+          *at.node, at.path, "no curve '" + base::printable(at.value) + "' comes with slipbench",
+          binder.nearest_or(at.value, names,
+                            "'slipbench list curves' shows them; a file of your own has an "
+                            "ending, as in '" +
+                                base::printable(at.value) + ".csv'"));
       return std::nullopt;
     }
     result.file = *shipped;

@@ -722,9 +722,9 @@ class Resolver {
     const std::vector<std::string_view> names(derived_.names.begin(), derived_.names.end());
     binder_.error(*name.node, name.path,
                   "unknown derived component '" + base::printable(name.value) + "'",
-                  yaml::nearest_or(name.value, names,
-                                   names.empty() ? "define it under 'derived_components:'"
-                                                 : "known: " + base::few_in_words(names)));
+                  binder_.nearest_or(name.value, names,
+                                     names.empty() ? "define it under 'derived_components:'"
+                                                   : "known: " + base::few_in_words(names)));
     return nullptr;
   }
 

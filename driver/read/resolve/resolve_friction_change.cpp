@@ -107,7 +107,7 @@ class Changes {
     if (meant.empty() && known_) {
       binder_.error(*change.key, change.path,
                     "unknown friction definition '" + base::printable(change.name) + "'",
-                    yaml::nearest_or(change.name, names, "known: " + base::few_in_words(names)));
+                    binder_.nearest_or(change.name, names, "known: " + base::few_in_words(names)));
     }
     std::vector<std::size_t> once;
     for (const std::size_t i : meant) {

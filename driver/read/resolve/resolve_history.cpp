@@ -50,15 +50,16 @@ std::string held_message(const law::Connection& connection, int component) {
          motion_names(connection.info.available);
 }
 
-std::string nearest_quantity(std::string_view name, const law::ConnectionInfo& info, bool motion,
-                             bool force, bool others, std::string otherwise) {
+std::string nearest_quantity(const yaml::Binder& binder, std::string_view name,
+                             const law::ConnectionInfo& info, bool motion, bool force, bool others,
+                             std::string otherwise) {
   if (force)
     otherwise = nearest_component(name, info.held, cases::force_name, std::move(otherwise));
   if (motion) {
     otherwise = nearest_component(name, info.available, cases::motion_name, std::move(otherwise));
   }
-  return others ? yaml::nearest_or(name, std::array<std::string_view, 2>{"temperature", "field1"},
-                                   std::move(otherwise))
+  return others ? binder.nearest_or(name, std::array<std::string_view, 2>{"temperature", "field1"},
+                                    std::move(otherwise))
                 : otherwise;
 }
 
@@ -118,7 +119,7 @@ std::optional<int> quantity_of(yaml::Binder& binder, const cases::Case& problem,
              std::to_string(law::kMaxFields);
   }
   binder.error(key, path, "unknown quantity '" + base::printable(name) + "'",
-               nearest_quantity(name, info, motion, force, others, "known here: " + known));
+               nearest_quantity(binder, name, info, motion, force, others, "known here: " + known));
   return std::nullopt;
 }
 

@@ -152,9 +152,9 @@ class PairTable {
     std::vector<std::string_view> names;
     for (const auto& group : text_.value.groups) names.push_back(group.name);
     binder_.error(*at.node, at.path, "unknown group '" + base::printable(name) + "'",
-                  yaml::nearest_or(name, names,
-                                   names.empty() ? "name its parts under friction_pairs.groups"
-                                                 : "known: " + base::few_in_words(names)));
+                  binder_.nearest_or(name, names,
+                                     names.empty() ? "name its parts under friction_pairs.groups"
+                                                   : "known: " + base::few_in_words(names)));
     return false;
   }
 

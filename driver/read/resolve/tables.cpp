@@ -244,7 +244,7 @@ std::optional<law::TableFunction> table_function(yaml::Binder& binder, const Tab
       binder.error(
           *column.node, column.path,
           std::string(use.what) + " cannot depend on '" + base::printable(column.value) + "'",
-          yaml::nearest_or(column.value, known, "known: " + base::few_in_words(known)));
+          binder.nearest_or(column.value, known, "known: " + base::few_in_words(known)));
       good = false;
       continue;
     }

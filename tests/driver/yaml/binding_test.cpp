@@ -34,8 +34,8 @@ struct Wheel {
   static void declare(Visitor&& key) {
     key("name", &Wheel::name, {.required = true});
     key("driven", &Wheel::driven, {});
-    key("loads", &Wheel::loads, {.dimension = {.force = 1}});
-    key("spokes", &Wheel::spokes, {});
+    key("loads", &Wheel::loads, {.dimension = {.force = 1}, .most = 4});
+    key("spokes", &Wheel::spokes, {.most = 3});
   }
 };
 
@@ -116,6 +116,44 @@ TEST_CASE("every fault of a map is reported once, at its place, and what is soun
   REQUIRE(found.wheel.spokes.size() == 3);
   CHECK(found.wheel.spokes[0].value.holes.faulty());
   CHECK(found.wheel.spokes[2].value.holes.value == 3);
+}
+
+TEST_CASE("a list and a map have as many items as is declared, in the schema too") {
+  CHECK(bound("name: a\nloads: [1, 2, 3, 4]\n").good);
+  const Bound list = bound("name: a\nloads: [1, 2, 3, 4, 5]\n");
+  CHECK_FALSE(list.good);
+  CHECK(list.text.find("error: loads: 5 items, at most 4 are read") != std::string::npos);
+  const std::string spoke = ": {length: 1}\n  ";
+  CHECK(bound("name: a\nspokes:\n  a" + spoke + "b" + spoke + "c" + spoke).good);
+  const Bound map =
+      bound("name: a\nspokes:\n  a" + spoke + "b" + spoke + "c" + spoke + "d" + spoke);
+  CHECK_FALSE(map.good);
+  CHECK(map.text.find("error: spokes: 4 items, at most 3 are read") != std::string::npos);
+  CHECK(map.wheel.spokes.empty());
+
+  const std::string schema = struct_schema<Wheel>().dump();
+  CHECK(schema.find("\"maxItems\"") != std::string::npos);
+  CHECK(schema.find("\"maxProperties\"") != std::string::npos);
+  CHECK(limits_in_words({.most = 4}) == "at most 4");
+  CHECK(limits_in_words({.bounds = law::kPositive}) == "greater than 0");
+}
+
+TEST_CASE("once there are more errors than are kept, no near name is looked for") {
+  std::string text = "name: a\n";
+  for (int i = 0; i <= static_cast<int>(base::Diagnostics::kMaxKept); ++i)
+    text += "lods" + std::to_string(i) + ": 1\n";
+  const base::SourceText source("wheel.yaml", text);
+  const auto tree = parse_yaml(source);
+  REQUIRE(tree);
+  base::Diagnostics messages;
+  const base::NamedNumbers none;
+  Binder binder(messages, none, {}, ".", false, kWords);
+  const std::vector<std::string_view> names{"loads"};
+  CHECK(binder.nearest_or("lods", names, "else") == "did you mean 'loads'?");
+  Wheel wheel;
+  CHECK_FALSE(read_struct(binder, tree->root(), {}, wheel));
+  CHECK(binder.flooded());
+  CHECK(binder.nearest_or("lods", names, "else").empty());
 }
 
 TEST_CASE("a wheel with any character replaced is read or refused at a place of the text") {
