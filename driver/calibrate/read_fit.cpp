@@ -154,14 +154,12 @@ class FitReader {
       for (std::size_t i = 0; all && i < all->size(); ++i) {
         const auto file = (*all)[i].is_map() ? (*all)[i].find("case") : std::nullopt;
         if (!file || !file->is_scalar() || !met.insert(file->text()).second) continue;
-        const auto source = base::read_source((folder_ / fs::path(file->text())).string());
-        const auto tree = source ? yaml::parse_yaml(*source) : tl::unexpected(base::Diagnostics());
-        if (!tree) continue;
-        const base::UnitSystem here = read::units_of(tree->root());
+        const auto here = read::units_of_file(folder_, file->text(), options_.allow_outside);
+        if (!here) continue;
         const auto names = [](const base::UnitSystem& of) {
           return std::tie(of.length, of.force, of.time, of.temperature);
         };
-        if (units && names(*units) != names(here)) return std::nullopt;
+        if (units && names(*units) != names(*here)) return std::nullopt;
         units = here;
       }
     }

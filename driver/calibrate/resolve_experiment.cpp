@@ -165,7 +165,7 @@ void ExperimentReader::read_settings(const ExperimentText& text, ReadExperiment&
 void ExperimentReader::read_case_file(const ExperimentText& text, ReadExperiment& result) {
   if (!text.case_file.sound) return;
   const auto file =
-      binder_.data_file(*text.case_file.node, text.case_file.path, text.case_file.value);
+      binder_.case_file(*text.case_file.node, text.case_file.path, text.case_file.value);
   if (!file) return;
   result.fit.case_file = text.case_file.value;
   result.fit.case_path = file->lexically_normal();

@@ -115,13 +115,12 @@ class SweepReader {
     const auto keys = root_.find("sweep");
     const auto file = keys && keys->is_map() ? keys->find("case") : std::nullopt;
     if (!file || !file->is_scalar()) return {};
-    const auto source = base::read_source((folder_ / fs::path(file->text())).string());
-    const auto tree = source ? yaml::parse_yaml(*source) : tl::unexpected(base::Diagnostics());
-    return tree ? read::units_of(tree->root()) : base::UnitSystem{};
+    return read::units_of_file(folder_, file->text(), options_.allow_outside)
+        .value_or(base::UnitSystem{});
   }
 
   std::optional<read::ParsedCase> parse_case(const yaml::At<std::string>& text) {
-    const auto file = binder_.data_file(*text.node, text.path, text.value);
+    const auto file = binder_.case_file(*text.node, text.path, text.value);
     if (!file) return std::nullopt;
     case_path_ = file->lexically_normal();
     const auto source = base::read_source(case_path_.string());

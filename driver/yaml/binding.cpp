@@ -286,6 +286,14 @@ std::optional<std::filesystem::path> Binder::data_file(const Node& node, const P
   return std::move(*file);
 }
 
+std::optional<std::filesystem::path> Binder::case_file(const Node& node, const Path& path,
+                                                       std::string_view text) {
+  if (text != base::kStandardInput) return data_file(node, path, text);
+  error(node, path, "standard input cannot be a case here: it is read more than once",
+        "write it to a file");
+  return std::nullopt;
+}
+
 void Binder::history_error(const Node& node, const Path& path, const base::HistoryError& problem,
                            std::string hint) {
   if (problem.kind == base::HistoryError::Kind::kEnvironment) environment_failed_ = true;

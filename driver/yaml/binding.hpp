@@ -163,6 +163,9 @@ class Binder {
   /// A data file the case names, inside its own folder unless the user allowed more.
   std::optional<std::filesystem::path> data_file(const Node& node, const Path& path,
                                                  std::string_view text);
+  /// The same for a case, which is read more than once: not standard input.
+  std::optional<std::filesystem::path> case_file(const Node& node, const Path& path,
+                                                 std::string_view text);
   /// All files that were asked for so, in this order, be they there or not.
   [[nodiscard]] const std::vector<std::string>& data_files() const { return data_files_; }
   /// Reports a fault of a data file, in the file's own words and place.

@@ -254,6 +254,24 @@ class HostileFiles(unittest.TestCase):
             self.refused_in_time(text, words, command=("calibrate", "{}", "-o", "fitted"))
             self.assertFalse((self.folder / "fitted").exists())
 
+    def test_a_sweep_or_a_fit_opens_no_case_outside_its_folder(self):
+        self.slider("case.yaml")
+        texts = {"sweep": "slipbench: 1\nsweep: {{case: {}, vary: {{x: {{uniform: [0, 1]}}}}, samples: 4, collect: {{a: {{max: CSF1}}}}}}\n",
+                 "calibrate": "slipbench: 1\ncalibrate: {{vary: {{x: {{}}}}, experiments: [{{case: {}, data: rig.csv, time: t, compare: {{CSF1: F}}}}]}}\n"}
+        libc = ctypes.CDLL(None)
+        opened = libc.inotify_init1(os.O_NONBLOCK)
+        self.addCleanup(os.close, opened)
+        in_open = 0x20
+        self.assertGreaterEqual(libc.inotify_add_watch(opened, str(self.folder / "case.yaml").encode(), in_open), 0)
+        (self.folder / "case.yaml").read_text()
+        self.assertTrue(os.read(opened, 4096), "the watch tells of an opening")
+        self.write("in/rig.csv", "t,F\n0,0\n1,1\n")
+        for command, text in texts.items():
+            for named, words in ((f"{self.folder}/case.yaml", "absolute"), ("../case.yaml", "'..'"), ("'-'", "standard input cannot be a case here")):
+                self.write(f"in/{command}.yaml", text.format(named))
+                self.assertIn(words, self.run_tool(command, f"in/{command}.yaml", code=2, stdin=subprocess.DEVNULL))
+                self.assertRaises(BlockingIOError, os.read, opened, 4096)
+
     def test_no_command_waits_for_a_pipe(self):
         self.slider("case.yaml")
         self.write("case.yaml", (self.folder / "case.yaml").read_text() + "parameters: {x: 1}\n")

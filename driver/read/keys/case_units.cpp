@@ -3,7 +3,11 @@
 
 #include <string>
 
+#include "driver/base/files/data_path.hpp"
+#include "driver/base/text/source_text.hpp"
+#include "driver/base/text/standard_input.hpp"
 #include "driver/read/keys/key_index.hpp"
+#include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver::read {
 
@@ -33,6 +37,17 @@ base::UnitSystem units_of(const yaml::Node& root) {
     return {"m", "N", "s", "K"};
   }
   return read_units(binder, text);
+}
+
+std::optional<base::UnitSystem> units_of_file(const std::filesystem::path& folder,
+                                              std::string_view text, bool allow_outside) {
+  const auto file = base::resolve_data_path(folder, text, allow_outside);
+  if (!file || text == base::kStandardInput) return std::nullopt;
+  const auto source = base::read_source(file->string());
+  if (!source) return std::nullopt;
+  const auto tree = yaml::parse_yaml(*source);
+  if (!tree) return std::nullopt;
+  return units_of(tree->root());
 }
 
 }  // namespace slipbench::driver::read
