@@ -155,6 +155,7 @@ std::optional<cases::CurveReference> curve_file(yaml::Binder& binder,
     if (!shipped) {
       const std::vector<check::ShippedCurve> curves = check::shipped_curves();
       std::vector<std::string_view> names;
+      names.reserve(curves.size());
       for (const check::ShippedCurve& curve : curves) names.push_back(curve.name);
       binder.error(
           *at.node, at.path, "no curve '" + base::printable(at.value) + "' comes with slipbench",
