@@ -168,11 +168,10 @@ class FitReader {
 
   void read_experiments(const CalibrateText& text) {
     for (const yaml::At<ExperimentText>& one : text.experiments.value) {
-      read_experiment(one, one.value);
+      read_experiment(one, one.value, false);
     }
     for (const yaml::At<HoldoutText>& one : text.holdout.value) {
-      read_experiment(one, one.value.experiment);
-      experiments_.back().fit.held_out = true;
+      read_experiment(one, one.value.experiment, true);
     }
     if (text.experiments.sound && text.experiments.value.empty()) {
       binder_.error(*text.experiments.node, text.experiments.path,
@@ -184,19 +183,25 @@ class FitReader {
     name_experiments(experiments_);
   }
 
-  /// Reads an experiment, of which what is compared counts.
-  void read_experiment(const auto& at, const ExperimentText& text) {
+  /// Reads an experiment, unless those before it have more columns to compare, or parameters, than
+  /// are read.
+  void read_experiment(const auto& at, const ExperimentText& text, bool held_out) {
     constexpr std::size_t kMostResponses = 2000;
+    constexpr std::size_t kMostNames = 50 * base::kMostParameters;
+    if (responses_ > kMostResponses || names_ > kMostNames) return;
     experiments_.push_back(reader_->read(text, *at.node));
-    const std::size_t own = experiments_.back().fit.responses.size();
-    const bool few = responses_ <= kMostResponses;
-    responses_ += own;
-    if (few && responses_ > kMostResponses) {
-      binder_.error(
-          *at.node, at.path,
-          fmt::format("all experiments up to this one compare {} columns, at most {} are read",
-                      responses_, kMostResponses));
-    }
+    ReadExperiment& read = experiments_.back();
+    read.fit.held_out = held_out;
+    responses_ += read.fit.responses.size();
+    names_ += read.parameters.size();
+    const auto refuse = [&](std::size_t found, const char* what, std::size_t most) {
+      if (found <= most) return;
+      binder_.error(*at.node, at.path,
+                    fmt::format("the experiments up to this one have {} {}, at most {} are read",
+                                found, what, most));
+    };
+    refuse(responses_, "columns to compare", kMostResponses);
+    refuse(names_, "parameters in all", kMostNames);
   }
 
   void check_names(const CalibrateText& text) {
@@ -306,6 +311,7 @@ class FitReader {
   std::optional<ExperimentReader> reader_;  ///< owns the texts that the experiments point into
   std::vector<ReadExperiment> experiments_;
   std::size_t responses_ = 0;  ///< of all of them
+  std::size_t names_ = 0;      ///< of the parameters of their cases
 };
 
 }  // namespace

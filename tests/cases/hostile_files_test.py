@@ -246,11 +246,12 @@ class HostileFiles(unittest.TestCase):
         compared = [f'"= CSF1 + {i}": {{column: F, sigma: 1}}' for i in range(10000)]
         known = "parameter_number_1: {bounds: [0, 9]}"
         for text, words in (
-                (fit.format(varied, one * 1000), "no case has a parameter 'parametre_numbr_0'"),
+                (fit.format(varied, one * 50), "no case has a parameter 'parametre_numbr_0'"),
+                (fit.format(varied, one * 1000), "have 100700 parameters in all, at most 100000 are read"),
                 (fit.format(known, experiment.format("many.yaml", "CSF1: F", settings)), "many.yaml has no parameter 'parametre_numbr_0'"),
                 (fit.format(known, experiment.format("faulty.yaml", "CSF1: F", "") * 500), "unknown key"),
                 (fit.format(known, experiment.format("one.yaml", ", ".join(compared), "")), "compare: 10000 items, at most 100 are read"),
-                (fit.format(known, experiment.format("one.yaml", ", ".join(compared[:100]), "") * 100), "compare 2100 columns, at most 2000 are read")):
+                (fit.format(known, experiment.format("one.yaml", ", ".join(compared[:100]), "") * 100), "have 2100 columns to compare, at most 2000 are read")):
             self.refused_in_time(text, words, command=("calibrate", "{}", "-o", "fitted"))
             self.assertFalse((self.folder / "fitted").exists())
 
