@@ -247,7 +247,7 @@ class HostileFiles(unittest.TestCase):
         known = "parameter_number_1: {bounds: [0, 9]}"
         for text, words in (
                 (fit.format(varied, one * 50), "no case has a parameter 'parametre_numbr_0'"),
-                (fit.format(varied, one * 1000), "have 100700 parameters in all, at most 100000 are read"),
+                (fit.format(known, one * 1000), "have 100700 parameters in all, at most 100000 are read"),
                 (fit.format(known, experiment.format("many.yaml", "CSF1: F", settings)), "many.yaml has no parameter 'parametre_numbr_0'"),
                 (fit.format(known, experiment.format("faulty.yaml", "CSF1: F", "") * 500), "unknown key"),
                 (fit.format(known, experiment.format("one.yaml", ", ".join(compared), "")), "compare: 10000 items, at most 100 are read"),
