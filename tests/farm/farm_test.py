@@ -126,7 +126,7 @@ class Mpi(Sweep):
 
     def test_tallies_of_a_killed_farm_and_of_parts_leave_the_same_bytes(self):
         out = self.folder / "tallied"
-        self.kill_a_rank(out, "--no-rows", kept="tally", enough=4000)
+        self.kill_a_rank(out, "--no-rows", kept="tally", enough=4000 * PATIENCE)  # its head and a chunk, however many samples there are
         said = run(SLIPBENCH, "merge", self.sweep, "-o", out, code=2)
         self.assertIn("missing are samples ", said)
         said = run(*MPIRUN, "-n", 2, FARM, "sweep", self.sweep, "-o", out, "--no-rows")
@@ -141,6 +141,7 @@ class Mpi(Sweep):
         for folder in (out, parts):
             self.assertEqual((folder / "fit.json").read_bytes(), (self.folder / "one/fit.json").read_bytes())
 
+    @unittest.skipIf(PATIENCE > 1, "sanitizers have an allocator of their own")
     def test_a_rank_with_an_internal_error_ends_all(self):
         library, out = self.folder / "no_memory.so", self.folder / "out"
         run("c++", "-shared", "-fPIC", pathlib.Path(__file__).with_name("no_memory.cpp"), "-o", library)
