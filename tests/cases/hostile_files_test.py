@@ -378,6 +378,7 @@ Rmu       0.3
                                      ("*DEFINE_CURVE", "*DEFINE_FRICTION_SCALING\n         1       0.9\n*DEFINE_CURVE", "is not read", "static: 0.3"),
                                      ("*DEFINE_FRICTION\n", "*SET_PART_LIST_COLLECT\n         4\n        13\n*DEFINE_FRICTION\n", "", "[11, 12, 13]"),
                                      ("SURFACE_ID", "SURFACE_ORTHO_FRICTION_ID", "of _ORTHO_FRICTION, are not read", ""),
+                                     ("SURFACE_ID\n         8lid on drum\n         1         2         3         3\n       2.0        5.", "SURFACE_THERMAL_FRICTION_ID\n         8lid on drum\n         1         2         3         3\n      -2.0        1.", "the curves over temperature of _THERMAL_FRICTION", ""),
                                      ("SURFACE_ID", "SURFACE_THERMAL_FRICTION_ID", "the curves over temperature of _THERMAL_FRICTION", "")):
             self.assertIn(old, deck)
             self.write("deck.k", deck.replace(old, new, 1))

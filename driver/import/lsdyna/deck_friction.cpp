@@ -297,10 +297,6 @@ class FrictionReader {
       found_.push_back(std::move(found));
       return;
     }
-    if (is_option(block.keyword, "THERMAL_FRICTION")) {
-      found.friction.losses.push_back(
-          {Kind::kDropped, "the curves over temperature of _THERMAL_FRICTION"});
-    }
     const Coefficients set = read_coefficients(cards, first + 1, 0);
     const auto factor = [&](std::size_t field, std::string_view name) {
       const double value = cards.number(first + 2, field, name);
@@ -316,6 +312,10 @@ class FrictionReader {
       return;
     }
     take(set, fsf, vsf, found);
+    if (is_option(block.keyword, "THERMAL_FRICTION")) {
+      found.friction.losses.push_back(
+          {Kind::kDropped, "the curves over temperature of _THERMAL_FRICTION"});
+    }
     found_.push_back(std::move(found));
   }
 

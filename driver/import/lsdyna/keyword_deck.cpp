@@ -140,7 +140,8 @@ class Splitter {
 };
 
 /// Gives a parameter a number, under its name as it is and in capitals and small letters. One that
-/// has a number keeps it, as in the program unless *PARAMETER_DUPLICATION says otherwise.
+/// has a number keeps it, which is told: *PARAMETER_DUPLICATION, which may say otherwise, is not
+/// read.
 void set_parameter(std::string_view name, const import::ScriptNumber& number, KeywordDeck& deck,
                    import::ScriptNumbers& typed, base::Diagnostics& out) {
   const std::string small = in_small_letters(name);
