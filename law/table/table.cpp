@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slipbench::law {
 namespace {
@@ -85,6 +86,13 @@ bool Table::build(std::span<const std::vector<double>> rows, int dependents, int
         }
       }
     }
+  }
+  constexpr int kFew = 4;
+  int corners = 0;
+  if (independents >= kFew && !built.for_each_corner(independents - 1, [&](const auto&, double) {
+        return ++corners <= kMostCorners;
+      })) {
+    return fail({TableError::Kind::kTooManyCorners});
   }
   built.is_grid_ =
       independents == 2 && has_equal_blocks(built.levels_[0].x, built.levels_[0].first);
@@ -248,44 +256,82 @@ double Table::largest(int column) const {
 }
 
 template <class Visit>
-void Table::for_each_knot(int column, Visit visit) const {
-  std::vector<double> x(levels_.size());
-  std::vector<double> slopes(levels_.size());
-  std::vector<std::size_t> pick(levels_.size(), 0);
-  while (true) {
-    for (std::size_t j = 0; j < x.size(); ++j) x[j] = levels_[j].knots[pick[j]];
-    std::fill(slopes.begin(), slopes.end(), 0.0);
-    const double y = value_and_slopes(x, slopes, column);
-    visit(x, y, slopes);
-    std::size_t j = 0;
-    while (j < x.size() && ++pick[j] == levels_[j].knots.size()) pick[j++] = 0;
-    if (j == x.size()) return;
+bool Table::descend(int level, int k, std::vector<Front>& fronts, std::vector<double>& x,
+                    double next, Visit& visit) const {
+  if (level < 0) return visit(x, next);
+  const Level& here = levels_[at(level)];
+  Front& front = fronts[at(level)];
+  front.knots.clear();
+  for (const std::uint32_t block : front.blocks) {
+    front.knots.insert(front.knots.end(), here.x.begin() + here.first[block],
+                       here.x.begin() + here.first[block + 1]);
   }
+  // Where the end segment is prolonged, it is up to the ends of other blocks.
+  if (extrapolation_ == Extrapolation::kLinear) {
+    front.knots.push_back(here.knots.front());
+    front.knots.push_back(here.knots.back());
+  }
+  std::sort(front.knots.begin(), front.knots.end());
+  front.knots.erase(std::unique(front.knots.begin(), front.knots.end()), front.knots.end());
+  for (std::size_t i = 0; i < front.knots.size(); ++i) {
+    x[at(level)] = front.knots[i];
+    if (level == k) {
+      next =
+          i + 1 < front.knots.size() ? front.knots[i + 1] : std::numeric_limits<double>::infinity();
+    }
+    if (level > 0) {
+      std::vector<std::uint32_t>& inner = fronts[at(level - 1)].blocks;
+      inner.clear();
+      for (const std::uint32_t block : front.blocks) {
+        const Bracket b = bracket(level, block, front.knots[i]);
+        if (b.fraction != 1.0) inner.push_back(b.low);
+        if (b.high != b.low && (b.fraction != 0.0 || level == k)) inner.push_back(b.high);
+      }
+      std::sort(inner.begin(), inner.end());
+      inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
+    }
+    if (!descend(level - 1, k, fronts, x, next, visit)) return false;
+  }
+  return true;
+}
+
+template <class Visit>
+bool Table::for_each_corner(int k, Visit visit) const {
+  std::vector<Front> fronts(levels_.size());
+  if (!fronts.empty()) fronts.back().blocks = {0};
+  std::vector<double> x(levels_.size());
+  return descend(independents() - 1, k, fronts, x, std::numeric_limits<double>::infinity(), visit);
 }
 
 double Table::steepest_fall(int k, int column, double* knot) const {
   double steepest = 0.0;
-  for_each_knot(column, [&](const auto& x, double, const auto& slopes) {
-    if (!(slopes[at(k)] < steepest)) return;
+  std::vector<double> slopes(levels_.size());
+  for_each_corner(k, [&](const std::vector<double>& x, double /*next*/) {
+    std::fill(slopes.begin(), slopes.end(), 0.0);
+    value_and_slopes(x, slopes, column);
+    if (!(slopes[at(k)] < steepest)) return true;
     steepest = slopes[at(k)];
     if (knot != nullptr) *knot = x[at(k)];
+    return true;
   });
   return steepest;
 }
 
 double Table::largest_growth(int k, int column, double* knot) const {
   double growth = 0.0;
-  const std::vector<double>& knots = levels_[at(k)].knots;
-  for_each_knot(column, [&](const auto& x, double y, const auto& slopes) {
+  std::vector<double> slopes(levels_.size());
+  for_each_corner(k, [&](const std::vector<double>& x, double next) {
+    std::fill(slopes.begin(), slopes.end(), 0.0);
+    const double y = value_and_slopes(x, slopes, column);
     const double slope = slopes[at(k)];
     const double here = x[at(k)];
     // Within a cell y + x dy/dx is linear in x: its extremes are at the ends of the cell.
     double largest = std::max(y, y + here * slope);
-    const auto next = std::upper_bound(knots.begin(), knots.end(), here);
-    if (next != knots.end()) largest = std::max(largest, y + (2.0 * *next - here) * slope);
-    if (!(largest > growth)) return;
+    if (std::isfinite(next)) largest = std::max(largest, y + (2.0 * next - here) * slope);
+    if (!(largest > growth)) return true;
     growth = largest;
     if (knot != nullptr) *knot = here;
+    return true;
   });
   return growth;
 }

@@ -21,6 +21,10 @@ enum class Extrapolation : std::uint8_t {
   kLinear     ///< the end segment is prolonged
 };
 
+/// The most combinations of neighbouring points over which the extremes of a table of four
+/// independents or more are looked for. A table whose blocks have the same points has one a row.
+inline constexpr int kMostCorners = 2'000'000;
+
 /// Fault of the rows of a table; `row` and `other_row` are 0-based.
 struct TableError {
   enum class Kind : std::uint8_t {
@@ -30,7 +34,8 @@ struct TableError {
     kNotAscending,   ///< `row` goes back against `other_row` in independent `column`
     kRepeatedPoint,  ///< `row` repeats all independents of `other_row`
     kOneRowLinear,   ///< a block of one row cannot be extrapolated linearly
-    kTooManyIndependents
+    kTooManyIndependents,
+    kTooManyCorners  ///< blocks of four independents or more with too few points in common
   };
   Kind kind = Kind::kNoRows;
   int row = -1;
@@ -234,10 +239,23 @@ class Table {
   double block(int level, std::uint32_t index, const double* x, double weight, double* slopes,
                int column) const noexcept;
 
-  /// Calls visit(x, y, slopes) at every combination of knots, with right-hand slopes: where a mean
-  /// of neighbouring grid values, as every value and slope of the table is, has its extremes.
+  /// What for_each_corner has found of a level: blocks that have a part there, and their knots.
+  struct Front {
+    std::vector<std::uint32_t> blocks;
+    std::vector<double> knots;
+  };
+
+  /// Calls visit(x, next) at the corners of the pieces of the table, until it returns false: each
+  /// coordinate of x is a knot of a block that has a part there, and x_k the begin of a cell that
+  /// ends at `next` (infinity: at no knot). The slope to independent k on the right of x_k, and
+  /// y + x_k dy/dx_k at both ends of the cell, have their extremes among those there. Up to three
+  /// independents make about as many corners as rows, whatever their blocks are.
+  /// \return true unless visit returned false
   template <class Visit>
-  void for_each_knot(int column, Visit visit) const;
+  bool for_each_corner(int k, Visit visit) const;
+  template <class Visit>
+  bool descend(int level, int k, std::vector<Front>& fronts, std::vector<double>& x, double next,
+               Visit& visit) const;
 
   int dependents_ = 0;
   Extrapolation extrapolation_ = Extrapolation::kConstant;

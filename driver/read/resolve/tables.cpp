@@ -209,6 +209,13 @@ std::optional<law::Table> table(yaml::Binder& binder, const TableText& text, con
           *text.columns.node, text.columns.path,
           "a table has at most " + std::to_string(law::kMaxIndependents) + " independents");
       break;
+    case Kind::kTooManyCorners:
+      binder.error(*text.columns.node, text.columns.path,
+                   "the blocks of the table have too few points in common: between them are more "
+                   "than " +
+                       std::to_string(law::kMostCorners) + " cells",
+                   "give every block the same points of the first independents");
+      break;
   }
   return std::nullopt;
 }

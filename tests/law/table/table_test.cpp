@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "law/table/table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "tests/support/law_tables.hpp"
@@ -265,6 +267,83 @@ TEST_CASE("rows that make no table are refused with the row, the other row and t
   std::vector<double> wide(static_cast<std::size_t>(slipbench::law::kMaxIndependents) + 2, 0.0);
   CHECK(error_of({wide}, 1, slipbench::law::kMaxIndependents + 1).kind ==
         Kind::kTooManyIndependents);
+
+  // Six independents of which no two blocks share a point; with the same points it is a table.
+  const auto deep = [](double apart) {
+    Rows rows;
+    for (int row = 0; row < 1 << 12; ++row) {
+      std::vector<double> items{0.1};
+      for (int k = 0; k < 6; ++k) {
+        const int place = row >> (2 * k);
+        items.push_back((place & 3) + apart * (place >> 2));
+      }
+      rows.push_back(items);
+    }
+    return rows;
+  };
+  CHECK(error_of(deep(1e-4), 1, 6).kind == Kind::kTooManyCorners);
+  CHECK(make_table(deep(0.0), 1, 6).rows() == 4096);
+}
+
+/// Rows of random blocks: each has points of its own, or those of all.
+Rows random_rows(std::mt19937& random, int independents, bool same, bool single) {
+  std::uniform_real_distribution<double> number(-1.0, 3.0);
+  Rows rows;
+  const auto fill = [&](auto& self, int k, std::vector<double> outer) -> void {
+    if (k < 0) {
+      outer.insert(outer.begin(), number(random));
+      rows.push_back(outer);
+      return;
+    }
+    std::uniform_int_distribution<int> count(single ? 1 : 2, 4);
+    std::vector<double> points(static_cast<std::size_t>(same ? 3 : count(random)));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = same ? static_cast<double>(i) : number(random);
+    std::sort(points.begin(), points.end());
+    for (const double point : points) {
+      std::vector<double> all = outer;
+      all.insert(all.begin(), point);
+      self(self, k - 1, all);
+    }
+  };
+  fill(fill, independents - 1, {});
+  return rows;
+}
+
+TEST_CASE("steepest fall and largest growth are those over all combinations of points") {
+  std::mt19937 random(20261127);
+  for (int draw = 0; draw < 200; ++draw) {
+    const int independents = 1 + draw % 4;
+    const bool linear = draw % 3 == 0;
+    const Table table =
+        make_table(random_rows(random, independents, draw % 5 == 0, !linear), 1, independents,
+                   linear ? Extrapolation::kLinear : Extrapolation::kConstant);
+    const auto n = static_cast<std::size_t>(independents);
+    std::vector<double> fall(n, 0.0);
+    std::vector<double> growth(n, 0.0);
+    std::vector<std::size_t> pick(n, 0);
+    for (std::size_t j = 0; j < n;) {
+      std::vector<double> x(n);
+      std::vector<double> slopes(n, 0.0);
+      for (std::size_t k = 0; k < n; ++k) x[k] = table.knots(static_cast<int>(k))[pick[k]];
+      const double y = table.value_and_slopes(x, slopes);
+      for (std::size_t k = 0; k < n; ++k) {
+        const auto knots = table.knots(static_cast<int>(k));
+        fall[k] = std::min(fall[k], slopes[k]);
+        growth[k] = std::max({growth[k], y, y + x[k] * slopes[k]});
+        if (pick[k] + 1 < knots.size()) {
+          growth[k] = std::max(growth[k], y + (2.0 * knots[pick[k] + 1] - x[k]) * slopes[k]);
+        }
+      }
+      for (j = 0; j < n && ++pick[j] == table.knots(static_cast<int>(j)).size();) pick[j++] = 0;
+    }
+    INFO("draw " << draw);
+    // Rounding of differences of values over widths.
+    for (std::size_t k = 0; k < n; ++k) {
+      CHECK(table.steepest_fall(static_cast<int>(k)) == Approx(fall[k]).epsilon(1e-9));
+      CHECK(table.largest_growth(static_cast<int>(k)) == Approx(growth[k]).epsilon(1e-9));
+    }
+  }
 }
 
 TEST_CASE("a refused table leaves the old one alone") {
