@@ -233,22 +233,31 @@ class Maps {
   }
 
  private:
-  /// The grid of a table over both arguments.
+  /// The points of a table over both arguments. Those that would cover one another are drawn once.
   void add_points(const DrawnCoefficient& coefficient, const std::array<Axis, 2>& axes) {
     has_grid_ = false;
     if (const auto* table = std::get_if<law::TabularCoefficient>(&coefficient.law)) {
       const auto all = table->table.independents();
-      std::array<std::span<const double>, 2> knots;
+      std::array<std::size_t, 2> columns{};
       for (std::size_t k = 0; k < 2; ++k) {
-        const auto found = std::find(all.begin(), all.end(), coefficient.arguments[k]);
-        if (found == all.end()) continue;
-        knots[k] = table->table.table().knots(static_cast<int>(found - all.begin()));
+        columns[k] = static_cast<std::size_t>(
+            std::find(all.begin(), all.end(), coefficient.arguments[k]) - all.begin());
       }
-      for (const double x : knots[0]) {
-        for (const double y : knots[1]) {
-          points_ += fmt::format("{:.9g} {:.9g}\n", x / axes[0].factor, y / axes[1].factor);
-          has_grid_ = true;
+      const bool over_both = columns[0] < all.size() && columns[1] < all.size();
+      const law::Table& points = table->table.table();
+      std::set<std::array<long, 2>> drawn;
+      for (std::size_t row = 0; over_both && row < points.rows(); ++row) {
+        const std::vector<double> point = points.point(row);
+        std::array<double, 2> at{};
+        std::array<long, 2> place{};
+        for (std::size_t k = 0; k < 2; ++k) {
+          at[k] = point[columns[k]] / axes[k].factor;
+          const double part = (at[k] - axes[k].from) / (axes[k].to - axes[k].from);
+          place[k] = std::lround(1000.0 * std::clamp(part, -1.0, 2.0));
         }
+        if (!drawn.insert(place).second) continue;
+        points_ += fmt::format("{:.9g} {:.9g}\n", at[0], at[1]);
+        has_grid_ = true;
       }
     }
     points_ += "NaN NaN\n\n\n";  // an empty block cannot be plotted
