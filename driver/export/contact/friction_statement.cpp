@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -43,23 +44,39 @@ StatedFriction stated(const Record& record) {
   return friction;
 }
 
-/// The number in a name like G100; else one that counts from 1001 on.
-int number_of(const std::string& name, std::size_t index) {
+/// The number in a name like G100; 0 where it has none.
+int number_in(const std::string& name) {
   const std::string digits = name.substr(std::min<std::size_t>(1, name.size()));
   const bool number = !digits.empty() && digits.size() < 9 &&
                       std::all_of(digits.begin(), digits.end(),
                                   [](unsigned char c) { return std::isdigit(c) != 0; });
+  return number ? std::stoi(digits) : 0;
+}
+
+/// Numbers groups, each by the number in its name or, where it has none or another group has it, by
+/// the next one that is free.
+void number_groups(std::vector<StatedGroup>& groups) {
+  std::set<int> taken{0};
+  for (StatedGroup& group : groups) {
+    const int own = number_in(group.name);
+    if (taken.insert(own).second) group.id = own;
+  }
   constexpr int kFirst = 1001;
-  return number ? std::stoi(digits) : kFirst + static_cast<int>(index);
+  int next = kFirst;
+  for (StatedGroup& group : groups) {
+    if (group.id != 0) continue;
+    while (!taken.insert(next).second) ++next;
+    group.id = next;
+  }
 }
 
 void take_pairs(const read::FrictionPairsText& table, FrictionStatement& statement) {
-  for (std::size_t i = 0; i < table.groups.size(); ++i) {
+  for (const auto& named : table.groups) {
     StatedGroup& group = statement.groups.emplace_back();
-    group.name = table.groups[i].name;
-    group.id = number_of(group.name, i);
-    for (const auto& part : table.groups[i].value) group.parts.push_back(part.value);
+    group.name = named.name;
+    for (const auto& part : named.value) group.parts.push_back(part.value);
   }
+  number_groups(statement.groups);
   statement.otherwise = table.otherwise.given() ? stated(table.otherwise.value)
                                                 : StatedFriction{.law = law::ConstantCoefficient{}};
   for (const auto& pair : table.pairs.value) {
