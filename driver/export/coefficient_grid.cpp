@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "driver/export/loss.hpp"
 #include "law/friction/law_list.hpp"
 
 namespace slipbench::driver::exports {
@@ -13,6 +14,9 @@ namespace {
 
 constexpr double kTolerance = 1e-4;
 constexpr std::size_t kMostPoints = 200;
+/// The most points of all: what a grid over all knots of a ragged table has may be far more than
+/// its rows.
+constexpr std::size_t kMostOfGrid = 1'000'000;
 
 /// mu over one of the two, whichever the other is.
 using Line = std::function<double(double at, double other)>;
@@ -86,6 +90,9 @@ CoefficientGrid tabulate(const law::FrictionLaw& law, const RunRange& run) {
     forces.push_back(run.contact_force);
   } else {
     forces = {run.contact_force};
+  }
+  if (rates.size() > kMostOfGrid / std::max<std::size_t>(1, forces.size())) {
+    throw NotExported{"its table has too many slip rates and contact forces for a grid of them"};
   }
   double largest = 0.0;
   for (const double rate : rates) {

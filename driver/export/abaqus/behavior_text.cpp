@@ -434,7 +434,8 @@ std::string DeckParts::potential(const cases::CaseDefinition& definition) {
 }
 
 std::string DeckParts::tabulated(const law::FrictionLaw& law) {
-  const CoefficientGrid grid = tabulate(law, run_range(problem_));
+  if (!range_) range_ = run_range(problem_);
+  const CoefficientGrid grid = tabulate(law, *range_);
   note(Loss::Kind::kApproximated,
        fmt::format("coefficient {}: {} points over slip rate and contact force, off by at most "
                    "{:.1e} between them, constant outside",

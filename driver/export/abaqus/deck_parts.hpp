@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "driver/case/case.hpp"
 #include "driver/export/loss.hpp"
 #include "driver/export/number_writer.hpp"
+#include "driver/export/run_range.hpp"
 #include "driver/read/keys/case_text.hpp"
 
 namespace slipbench::driver::exports {
@@ -79,6 +81,7 @@ class DeckParts {
   NumberWriter whole_;    ///< of the history, which is never rounded for people
   std::vector<Loss> losses_;
   std::optional<law::Extrapolation> extrapolation_;
+  std::optional<RunRange> range_;  ///< once it is needed: it takes a run
   std::string amplitudes_;
   int amplitude_count_ = 0;
   /// Of the run, where a profile has to be sampled: [step, pass] in turn, rows of time and values.
@@ -88,6 +91,8 @@ class DeckParts {
     double time = 0.0;
     std::vector<double> quantities;
   };
+  /// Rows of a pass of a step.
+  std::span<const Sample> samples_of(std::size_t step_index, int pass) const;
   std::vector<Sample> samples_;
   std::vector<double> values_;  ///< of the quantities, at the start of a step
   double start_ = 0.0;          ///< of the history

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <variant>
 
 #include "driver/bench/run_case.hpp"
@@ -16,6 +18,8 @@ namespace {
 
 /// Profiles of more rows than this are no history of a deck.
 constexpr std::size_t kMostSamples = 200'000;
+/// Amplitudes and steps of more bytes than this are none either.
+constexpr std::size_t kMostText = 50'000'000;
 
 constexpr const char* kStepEnd =
     "*OUTPUT, HISTORY\n*ELEMENT OUTPUT, ELSET=JOINT\nCTF, CSF, CNF, CASU, CIVC\n*END STEP\n";
@@ -30,7 +34,16 @@ bool is_force(int quantity) {
 std::string DeckParts::amplitude(const std::string& data, const std::string& parameters) {
   std::string name = fmt::format("A{}", ++amplitude_count_);
   amplitudes_ += "*AMPLITUDE, NAME=" + name + parameters + "\n" + data;
+  if (amplitudes_.size() > kMostText) refuse("its profiles have too many points for a deck");
   return name;
+}
+
+std::span<const DeckParts::Sample> DeckParts::samples_of(std::size_t step_index, int pass) const {
+  // They stand in the order of the run.
+  const auto of_pass = [](const Sample& one) { return std::pair(one.step, one.pass); };
+  const auto found = std::ranges::equal_range(
+      samples_, std::pair(static_cast<int>(step_index), pass), {}, of_pass);
+  return {found.begin(), found.end()};
 }
 
 /// An amplitude of the values that a quantity has in a pass of a step.
@@ -38,8 +51,7 @@ std::string DeckParts::sampled(int quantity, std::size_t step_index, int pass) {
   const auto q = static_cast<std::size_t>(quantity);
   const double initial = is_motion(quantity) ? problem_.initial[quantity] : 0.0;
   std::vector<std::string> items{"0.", whole_(values_[q] - initial)};
-  for (const Sample& one : samples_) {
-    if (one.step != static_cast<int>(step_index) || one.pass != pass) continue;
+  for (const Sample& one : samples_of(step_index, pass)) {
     items.push_back(whole_(one.time - start_));
     items.push_back(whole_(one.quantities[q] - initial));
   }
@@ -72,21 +84,23 @@ std::string DeckParts::history() {
       values_.assign(row.quantities.begin(), row.quantities.end());
       start_ = row.step_time;
     }
-    if (samples_.size() > kMostSamples) return;
+    if (samples_.size() > kMostSamples) refuse("its history has too many increments for a deck");
     if (row.index > 0 || row.duration > 0.0) {
       samples_.push_back(
           {row.step, row.pass, row.step_time, {row.quantities.begin(), row.quantities.end()}});
     }
   });
   if (!ended) refuse("the case does not run to its end: " + ended.error().message);
-  if (samples_.size() > kMostSamples) refuse("its history has too many increments for a deck");
   std::string steps;
   if (problem_.measured) {
     steps = measured();
     return amplitudes_ + steps;
   }
   for (std::size_t i = 0; i < problem_.steps.size(); ++i) {
-    for (int pass = 0; pass < problem_.steps[i].repeat; ++pass) steps += step(i, pass);
+    for (int pass = 0; pass < problem_.steps[i].repeat; ++pass) {
+      steps += step(i, pass);
+      if (steps.size() > kMostText) refuse("its history has too many steps for a deck");
+    }
   }
   return amplitudes_ + steps;
 }
@@ -152,9 +166,7 @@ std::string DeckParts::step(std::size_t index, int pass) {
   text += drives;
   if (pass == 0) text += changes(step);
   text += kStepEnd;
-  for (const Sample& one : samples_) {
-    if (one.step == static_cast<int>(index) && one.pass == pass) values_ = one.quantities;
-  }
+  if (const auto rows = samples_of(index, pass); !rows.empty()) values_ = rows.back().quantities;
   return text;
 }
 

@@ -54,20 +54,20 @@ std::set<std::string> names_in(std::string_view formula) {
   return names;
 }
 
-bool has_pieces_of(std::string_view formula, const std::set<std::string>& names) {
+std::set<std::string> names_in_pieces(std::string_view formula) {
   constexpr std::array<std::string_view, 5> kPieces{"abs", "max", "min", "rint", "sign"};
   formula = without_mark(formula);
   const bool compares = formula.find_first_of("<>=!?&|") != std::string_view::npos;
   std::vector<bool> inside{compares};  // of each parenthesis that is open
   bool opens = false;                  // whether the next one belongs to such a function
-  bool found = false;
+  std::set<std::string> found;
   for_each_name(
       formula,
       [&](std::string_view name, bool is_call) {
         if (is_call)
           opens = std::find(kPieces.begin(), kPieces.end(), name) != kPieces.end();
-        else
-          found = found || (inside.back() && names.contains(std::string(name)));
+        else if (inside.back())
+          found.emplace(name);
       },
       [&](char c) {
         if (c == '(') {

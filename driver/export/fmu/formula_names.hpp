@@ -11,8 +11,8 @@ namespace slipbench::driver::exports {
 /// Returns the names that a formula mentions, those of functions left out.
 std::set<std::string> names_in(std::string_view formula);
 
-/// Tells whether a formula may have pieces that meet at values of these names: one of them stands
-/// in an argument of abs, max, min, rint or sign, or in a formula with a comparison.
-bool has_pieces_of(std::string_view formula, const std::set<std::string>& names);
+/// Returns the names at whose values pieces of a formula may meet: those in an argument of abs,
+/// max, min, rint or sign, or all where the formula has a comparison.
+std::set<std::string> names_in_pieces(std::string_view formula);
 
 }  // namespace slipbench::driver::exports

@@ -19,6 +19,11 @@ namespace {
 
 constexpr const char* kCurve = "the friction follows it by a curve, or together with others";
 constexpr const char* kPlace = "the connector begins at another place with it";
+constexpr const char* kTooLong =
+    "the friction is too long to be read again for as many parameters as it has";
+/// Numbers and characters of formulas that are read again for all parameters together, some
+/// seconds.
+constexpr std::size_t kMostRead = 10'000'000;
 
 /// The case with other values of its parameters.
 class Varied {
@@ -55,77 +60,84 @@ class Varied {
   const std::vector<base::ParameterText>& settings_;
 };
 
-/// Formulas of a case by what they are about.
+/// Names that the formulas of a case mention, by what the formulas are about.
 class Formulas {
  public:
   Formulas(const read::ParsedCase& parsed, const std::vector<base::ParameterText>& settings) {
+    std::map<std::string, std::string> parameters;  // those that are formulas
     if (const auto map = parsed.root().find("parameters"); map && map->is_map()) {
       for (const yaml::Entry entry : map->entries()) {
         const std::string_view text = entry.value.text();
-        if (text.starts_with('=')) parameters_[std::string(entry.key.text())] = text;
+        if (text.starts_with('=')) parameters[std::string(entry.key.text())] = text;
       }
     }
     for (const base::ParameterText& one : settings) {
-      parameters_.erase(one.name);
-      if (const auto* text = std::get_if<std::string>(&one.value)) parameters_[one.name] = *text;
+      parameters.erase(one.name);
+      if (const auto* text = std::get_if<std::string>(&one.value)) parameters[one.name] = *text;
+    }
+    for (const auto& [name, text] : parameters) {
+      length_ += text.size();
+      in_pieces_.merge(names_in_pieces(text));
+      for (const std::string& one : names_in(text)) followers_[one].push_back(name);
+      defined_by_.emplace(name, names_in(text));
     }
     std::vector<yaml::Formula> all;
     parsed.resolve({.overrides = settings, .allow_outside = true, .formulas = &all});
-    for (yaml::Formula& one : all) {
+    for (const yaml::Formula& one : all) {
       const std::string_view path = one.path;
       if (path.starts_with("history") || path.starts_with("output") || path.starts_with("checks"))
         continue;
-      const bool place =
-          path.starts_with("connector.initial") || path.starts_with("connector.reference");
-      (place ? places_ : friction_).push_back(std::move(one.text));
+      if (path.starts_with("connector.initial") || path.starts_with("connector.reference")) {
+        place_.merge(names_in(one.text));
+      } else {
+        length_ += one.text.size();
+        friction_.merge(names_in(one.text));
+        in_pieces_.merge(names_in_pieces(one.text));
+      }
     }
   }
 
+  /// Characters in all formulas of the parameters and of the friction.
+  std::size_t length() const { return length_; }
   /// Tells whether a parameter is defined by other ones.
   bool is_defined(const std::string& name, const base::NamedNumbers& parameters) const {
-    const auto text = parameters_.find(name);
-    if (text == parameters_.end()) return false;
-    const std::set<std::string> names = names_in(text->second);
-    return std::any_of(names.begin(), names.end(),
+    const auto found = defined_by_.find(name);
+    return found != defined_by_.end() &&
+           std::any_of(found->second.begin(), found->second.end(),
                        [&](const std::string& one) { return parameters.contains(one); });
   }
   /// The parameter and all that are defined by it.
   std::set<std::string> with_followers(const std::string& name) const {
     std::set<std::string> found{name};
-    for (std::size_t before = 0; before != found.size();) {
-      before = found.size();
-      for (const auto& [other, text] : parameters_) {
-        if (mentions(text, found)) found.insert(other);
+    for (std::vector<std::string> next{name}; !next.empty();) {
+      const auto direct = followers_.find(next.back());
+      next.pop_back();
+      if (direct == followers_.end()) continue;
+      for (const std::string& one : direct->second) {
+        if (found.insert(one).second) next.push_back(one);
       }
     }
     return found;
   }
-  bool place_mentions(const std::set<std::string>& names) const {
-    return any_mentions(places_, names);
+  bool place_mentions(const std::set<std::string>& names) const { return share(place_, names); }
+  bool friction_mentions(const std::set<std::string>& names) const {
+    return share(friction_, names);
   }
   /// Tells whether the friction depends on one of the names in pieces.
   bool friction_has_pieces(const std::set<std::string>& names) const {
-    if (!any_mentions(friction_, names)) return false;
-    const auto pieces = [&](const std::string& text) { return has_pieces_of(text, names); };
-    return std::any_of(friction_.begin(), friction_.end(), pieces) ||
-           std::any_of(parameters_.begin(), parameters_.end(),
-                       [&](const auto& one) { return pieces(one.second); });
+    return friction_mentions(names) && share(in_pieces_, names);
   }
 
  private:
-  static bool mentions(const std::string& text, const std::set<std::string>& names) {
-    const std::set<std::string> found = names_in(text);
-    return std::any_of(found.begin(), found.end(),
-                       [&](const std::string& one) { return names.contains(one); });
-  }
-  static bool any_mentions(const std::vector<std::string>& texts,
-                           const std::set<std::string>& names) {
-    return std::any_of(texts.begin(), texts.end(),
-                       [&](const std::string& text) { return mentions(text, names); });
+  static bool share(const std::set<std::string>& all, const std::set<std::string>& names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& one) { return all.contains(one); });
   }
 
-  std::map<std::string, std::string> parameters_;  ///< those that are formulas
-  std::vector<std::string> friction_, places_;
+  std::map<std::string, std::set<std::string>> defined_by_;    ///< of parameters with a formula
+  std::map<std::string, std::vector<std::string>> followers_;  ///< that mention a name
+  std::set<std::string> friction_, place_, in_pieces_;
+  std::size_t length_ = 0;
 };
 
 /// The friction at another value of a parameter.
@@ -215,12 +227,19 @@ ParameterMap map_parameters(const read::ParsedCase& parsed, const cases::Case& p
   const Formulas formulas(parsed, settings);
   ParameterMap map;
   std::map<std::size_t, int> users;
+  std::size_t read = 0;
   for (const auto& parameter : problem.parameters) {
     const std::string& name = parameter.first;
     const double value = parameter.second;
     if (formulas.is_defined(name, problem.parameters)) continue;
-    const std::vector<Sample> samples = samples_of(varied, name, value);
     const std::set<std::string> names = formulas.with_followers(name);
+    if (!formulas.friction_mentions(names) && !formulas.place_mentions(names)) continue;
+    if (read >= kMostRead) {
+      map.fixed.push_back({name, kTooLong});
+      continue;
+    }
+    const std::vector<Sample> samples = samples_of(varied, name, value);
+    read += other_values(value).size() * (numbers.size() + formulas.length());
     auto found = mapped(name, value, samples, numbers);
     // Two values beside its own are the least that tell a line from a curve.
     constexpr std::size_t kLeast = 2;

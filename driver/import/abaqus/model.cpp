@@ -316,7 +316,7 @@ class Reader {
         one.numbers.push_back(*number);
       }
     }
-    model_.amplitudes.push_back(one);
+    model_.amplitudes.emplace(one.label, one);
   }
 
   void begin_step(const Block& block) {
@@ -680,10 +680,8 @@ class Reader {
 Model read_model(const KeywordDeck& deck) { return Reader(deck).read(); }
 
 const Amplitude* find_amplitude(const Model& model, const std::string& label) {
-  for (const Amplitude& one : model.amplitudes) {
-    if (one.label == label) return &one;
-  }
-  return nullptr;
+  const auto found = model.amplitudes.find(label);
+  return found == model.amplitudes.end() ? nullptr : &found->second;
 }
 
 }  // namespace slipbench::driver::abaqus

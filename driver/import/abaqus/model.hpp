@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -93,7 +94,7 @@ struct Connector {
 /// Connectors, steps and amplitudes of a deck.
 struct Model {
   std::vector<Behavior> behaviors;
-  std::vector<Amplitude> amplitudes;
+  std::map<std::string, Amplitude> amplitudes;  ///< by their labels
   std::vector<Step> steps;
   std::vector<Connector> connectors;  ///< in the order of the deck
   std::vector<std::string> notes;     ///< sentences on what is passed over
