@@ -264,6 +264,8 @@ class TableSearch {
     if (!text_.sound || !options(result)) return std::nullopt;
     return result;
   }
+  /// Rows of the table that was read.
+  std::size_t rows() const { return found_.front().table->table().rows(); }
 
  private:
   void error(std::string message, std::string hint = {}) {
@@ -491,10 +493,21 @@ class TableSearch {
 std::vector<VariedTable> varied_tables(yaml::Binder& binder,
                                        const yaml::NamedMap<VariedTableText>& texts,
                                        std::span<const ReadExperiment> experiments) {
+  // A fit keeps a square of numbers over its unknowns, and solves it again and again.
+  constexpr std::size_t kMostRows = 1000;
   std::vector<VariedTable> tables;
+  std::size_t rows = 0;
   for (const yaml::Named<VariedTableText>& text : texts) {
-    auto table = TableSearch(binder, text, experiments).read();
+    TableSearch search(binder, text, experiments);
+    auto table = search.read();
     if (!table) continue;
+    rows += search.rows();
+    if (rows > kMostRows) {
+      binder.error(*text.key, text.path,
+                   "the tables up to this one have " + std::to_string(rows) + " rows, at most " +
+                       std::to_string(kMostRows) + " are fitted");
+      break;
+    }
     for (const VariedTable& other : tables) {
       const bool same =
           other.use == table->use && (other.definition.empty() || table->definition.empty() ||
