@@ -312,11 +312,18 @@ void put_matrix(const Slopes& matrix, double* to) {
   }
 }
 
+/// Tells whether a number can be an amount of something that has no sign.
+bool is_amount(double x) { return x >= 0.0 && std::isfinite(x); }
+
 int updated(const slip_law* law, const slip_increment* from, const double* old_state,
             double* new_state, double* force, slip_result* results, bool tangent, double* to_motion,
             double* to_force, slip_error* error) {
   if (law == nullptr || from == nullptr || old_state == nullptr || new_state == nullptr) {
     return fail(error, SLIP_BAD_ARGUMENT, "law, increment, old_state and new_state must be there");
+  }
+  if (!is_amount(from->duration)) {
+    return fail(error, SLIP_BAD_ARGUMENT, "the duration is %g: wanted 0 or more, and finite",
+                from->duration);
   }
   const Surroundings around(from->temperature, from->fields, from->field_count);
   ConnectorIncrement increment;
@@ -458,6 +465,11 @@ int slip_law_coefficient(const slip_law* law, size_t definition, double slip_rat
                          double* to_contact_force, slip_error* error) {
   if (law == nullptr || definition >= law->definitions.size() || mu == nullptr) {
     return fail(error, SLIP_BAD_ARGUMENT, "a law, one of its definitions and mu must be there");
+  }
+  if (!is_amount(slip_rate) || !is_amount(contact_force)) {
+    return fail(error, SLIP_BAD_ARGUMENT,
+                "slip rate %g, contact force %g: wanted 0 or more, and finite", slip_rate,
+                contact_force);
   }
   const Surroundings around(temperature, fields, field_count);
   const CoefficientPoint point =

@@ -94,7 +94,7 @@ typedef struct slip_definition {
 
 /** An increment of the connector. */
 typedef struct slip_increment {
-  double duration; /**< dt [T]; without one all rates are 0 */
+  double duration; /**< dt [T], finite and not negative; without one, 0, all rates are 0 */
   double begin[6]; /**< positions CP when it begins [L], [1] */
   double end[6];   /**< and ends */
   double
@@ -165,9 +165,9 @@ SLIP_API int slip_law_tangent(const slip_law* law, const slip_increment* increme
                               slip_result* results, double to_motion[36], double to_force[36],
                               slip_error* error);
 
-/** Gives the coefficient of a definition at a slip rate [L/T] and a contact force F_N [F], without
- * any state. \param[out] mu coefficient [1] \param[out] to_slip_rate, to_contact_force its slopes
- * [T/L], [1/F]; may be NULL */
+/** Gives the coefficient of a definition at a slip rate [L/T] and a contact force F_N [F], both
+ * finite and not negative, without any state. \param[out] mu coefficient [1] \param[out]
+ * to_slip_rate, to_contact_force its slopes [T/L], [1/F]; may be NULL */
 SLIP_API int slip_law_coefficient(const slip_law* law, size_t definition, double slip_rate,
                                   double contact_force, double temperature, const double* fields,
                                   size_t field_count, double* mu, double* to_slip_rate,

@@ -23,8 +23,8 @@ subroutine fric_coef(fcoef, fcoefderiv, nblock, nprops, ntemp, nfields, jflags, 
   count = min(nfields, slip_fields)
   do k = 1, nblock
     fields(1:count) = fieldavg(k, 1:count)
-    if (slip_law_coefficient(law, 0_c_size_t, sliprate(k), pressure(k), tempavg(k), fields, int(count, c_size_t), &
-        fcoef(k), fcoefderiv(k, 1), fcoefderiv(k, 2), error) /= slip_ok) error stop slip_message(error)
+    if (slip_law_coefficient(law, 0_c_size_t, sliprate(k), max(pressure(k), 0.0_c_double), tempavg(k), fields, &
+        int(count, c_size_t), fcoef(k), fcoefderiv(k, 1), fcoefderiv(k, 2), error) /= slip_ok) error stop slip_message(error)
     ! The law gives no slope to the temperature; without it the iteration is slower, its result the same.
     fcoefderiv(k, 3) = 0
   end do

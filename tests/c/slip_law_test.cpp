@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <thread>
@@ -307,6 +308,32 @@ TEST_CASE("an update that is not finite leaves the state as it was") {
   CHECK(force[5] == 6.0);
   CHECK(slip_law_update(nullptr, &increment, state.data(), state.data(), nullptr, nullptr,
                         &error) == SLIP_BAD_ARGUMENT);
+}
+
+TEST_CASE("amounts that are negative or not finite are arguments of no connector") {
+  const slip_number mu{"mu", 0.2};
+  const slip_definition definition = slot(&mu, 1e-3);
+  const Handle handle(slip_law_create(&definition, 1, nullptr));
+  std::array<double, SLIP_STATE_NUMBERS> state{};
+  slip_law_initial_state(handle.get(), state.data());
+  const auto before = state;
+  slip_increment increment{};
+  increment.end[0] = 1.0;
+  increment.force[1] = 10.0;
+  for (const double amount : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    increment.duration = amount;
+    slip_error error;
+    CHECK(slip_law_update(handle.get(), &increment, state.data(), state.data(), nullptr, nullptr,
+                          &error) == SLIP_BAD_ARGUMENT);
+    CHECK(std::string(error.message).find("the duration is") == 0);
+    CHECK(state == before);
+    double coefficient = 7.0;
+    CHECK(slip_law_coefficient(handle.get(), 0, amount, 1.0, 0.0, nullptr, 0, &coefficient, nullptr,
+                               nullptr, nullptr) == SLIP_BAD_ARGUMENT);
+    CHECK(slip_law_coefficient(handle.get(), 0, 1.0, amount, 0.0, nullptr, 0, &coefficient, nullptr,
+                               nullptr, nullptr) == SLIP_BAD_ARGUMENT);
+    CHECK(coefficient == 7.0);
+  }
 }
 
 TEST_CASE("a tangent that is not finite is an error and changes nothing") {
