@@ -243,11 +243,15 @@ class HostileFiles(unittest.TestCase):
         one = experiment.format("many.yaml", "CSF1: {column: F, sigma: 1}", "")
         varied = ", ".join(f"{name}: {{bounds: [0, 1]}}" for name in unknown[:200])
         settings = ", set: {" + ", ".join(f"{name}: 1" for name in unknown[:2000]) + "}"
+        table = ", ".join(f"[0.2, {i}]" for i in range(20000))
+        self.write("table.yaml", SLIDER.format(title="T", history=STEP.format(name="a")).replace("coefficient: 0.2", f"coefficient: {{columns: [mu, slip_rate], rows: [{table}]}}"))
+        of_table = fit.replace("vary: {{{}}}", "tables: {{friction1.coefficient: {{bounds: [0, 1]}}}}")
         compared = [f'"= CSF1 + {i}": {{column: F, sigma: 1}}' for i in range(10000)]
         known = "parameter_number_1: {bounds: [0, 9]}"
         for text, words in (
                 (fit.format(varied, one * 50), "no case has a parameter 'parametre_numbr_0'"),
                 (fit.format(known, one * 1000), "have 100700 parameters in all, at most 100000 are read"),
+                (of_table.format(experiment.format("table.yaml", "CSF1: F", "")), "have 20000 rows, at most 1000 are fitted"),
                 (fit.format(known, experiment.format("many.yaml", "CSF1: F", settings)), "many.yaml has no parameter 'parametre_numbr_0'"),
                 (fit.format(known, experiment.format("faulty.yaml", "CSF1: F", "") * 500), "unknown key"),
                 (fit.format(known, experiment.format("one.yaml", ", ".join(compared), "")), "compare: 10000 items, at most 100 are read"),
@@ -443,6 +447,62 @@ Rmu       0.3
             self.slider("it's 'q''.yaml", title=f'"{title}"')
             self.run_tool("plot", "it's 'q''.yaml", "-o", "x.svg", env={"GNUTERM": "qt"})
             self.assertIn("Pin of 2'' in" if title.startswith("Pin") else "x" if title[0] == "i" else "'A' against", (self.folder / "x.svg").read_text())
+
+    def test_a_table_whose_blocks_share_no_point_is_read_in_time(self):
+        plain = SLIDER.format(title="Ragged", history=STEP.format(name="a"))
+        two = [f"[0.{n % 7 + 1}, {n}, {n // 2}]" for n in range(20000)]
+        three = [f"[0.{n % 7 + 1}, {n}, {n // 2}, {n // 2}]" for n in range(14000)]
+        # Six independents, of which no two blocks share a point.
+        six = ["[0.1, " + ", ".join(str((n >> 2 * k & 3) + 1e-4 * (n >> 2 * k + 2)) for k in range(6)) + "]" for n in range(4096)]
+        for columns, rows, code, words in (("slip_rate, contact_force", two, 0, "ragged.csv"), ("slip_rate, contact_force, temperature", three, 0, "ragged.csv"),
+                                           ("slip_rate, contact_force, temperature, field1, field2, field3", six, 2, "too few points in common")):
+            text = plain.replace("coefficient: 0.2", f"coefficient: {{columns: [mu, {columns}], rows: [{', '.join(rows)}]}}")
+            self.write("ragged.yaml", text.replace("0.1}}", "0.1}}, temperature: 20, fields: {1: 0, 2: 0, 3: 0}" if "field1" in columns else "0.1}}, temperature: 20"))
+            start = time.monotonic()
+            self.assertIn(words, self.run_tool("run", "ragged.yaml", "-o", "out", "--force", code=code))
+            self.assertLess(time.monotonic() - start, SECONDS)
+            if code == 0:
+                said = self.run_tool("export", "ragged.yaml", "--to", "table", code=2)
+                self.assertIn("too many slip rates and contact forces for a grid", said)
+
+    def test_a_deck_of_few_keys_has_an_end(self):
+        steps = "  - {{step: a, duration: 1, increments: {}, repeat: {}, motion: {{CP1: {}}}, force: {{f2: 100}}}}\n"
+        table = "{times: [" + ", ".join(str(i / 1000) for i in range(1001)) + "], values: [" + ", ".join(str(i % 7) for i in range(1001)) + "]}"
+        for increments, repeat, profile, code, words in (
+                (1, 100000, "{sine: {amplitude: 1, period: 0.3, phase: 0.3}}", 0, "deck.inp"),
+                (100, 1, "{triangle: {amplitude: 1, period: 1.0e-8}}", 2, "too many increments for a deck"),
+                (1, 20000, table, 2, "too many points for a deck")):
+            self.write("case.yaml", SLIDER.format(title="T", history=steps.format(increments, repeat, profile)))
+            start = time.monotonic()
+            self.assertIn(words, self.run_tool("export", "case.yaml", "--to", "abaqus", "-o", "deck.inp", "--force", code=code))
+            self.assertLess(time.monotonic() - start, SECONDS)
+
+    def test_groups_of_one_number_stay_two_in_a_deck(self):
+        pairs = """friction_pairs:
+  groups: {A5: [1, 4], B5: [2, 3], G1001: [6], x: [7], G0: [8]}
+  default: {coefficient: 0.1}
+  pairs: [{parts: [A5, B5], coefficient: 0.15}, {parts: [x, G0], coefficient: 0.3}]
+"""
+        case = SLIDER.format(title="T", history=STEP.format(name="a")).replace("{type: SLOT}", "{type: SLOT, parts: [4, 2]}")
+        self.write("case.yaml", case.replace(" coefficient: 0.2,", "") + pairs)
+        radioss = self.run_tool("export", "case.yaml", "--to", "radioss", "--part", "behaviour")
+        self.assertEqual(re.findall(r"^/GRPART/PART/(\d+)\n(\S+)", radioss, re.M), [("5", "A5"), ("1002", "B5"), ("1001", "G1001"), ("1003", "x"), ("1004", "G0")])
+        self.assertRegex(radioss, r"(?m)^ +5 +1002 +0 +0 ")
+        lsdyna = self.run_tool("export", "case.yaml", "--to", "lsdyna")
+        self.assertRegex(lsdyna, r"(?m)^ +5 +1002 .*PSET +PSET$")
+        self.assertRegex(lsdyna, r"(?m)^ +1003 +1004 .*PSET +PSET$")
+
+    def test_a_unit_of_many_parameters_is_written_in_time(self):
+        many = "".join(f"  p{i}: 0.1\n" for i in range(900))
+        chain = "  q999: 0.1\n" + "".join(f"  q{i}: = q{i + 1}\n" for i in range(998, -1, -1))
+        rows = ", ".join(f"[= p{i % 900}*{i}*0.0001+0.1, {i}]" for i in range(6000))
+        case = SLIDER.format(title="U", history=STEP.format(name="a"))
+        for coefficient, words in (("= q0", "parameter q999: the host can set it"),
+                                   (f"{{columns: [mu, slip_rate], rows: [{rows}]}}", "too long to be read again for as many parameters")):
+            self.write("case.yaml", case.replace("0.2", coefficient) + "parameters:\n" + many + chain)
+            start = time.monotonic()
+            self.assertIn(words, self.run_tool("export", "case.yaml", "--to", "fmu", "-o", "u.fmu", "--force"))
+            self.assertLess(time.monotonic() - start, SECONDS)
 
     def test_a_unit_without_a_data_base_of_units_is_refused(self):
         self.write("case.yaml", SLIDER.format(title="U", history=STEP.format(name="a")).replace("connector", "units: {length: mm, force: N, time: s}\nconnector"))
