@@ -239,7 +239,7 @@ class Table {
   double block(int level, std::uint32_t index, const double* x, double weight, double* slopes,
                int column) const noexcept;
 
-  /// What for_each_corner has found of a level: blocks that have a part there, and their knots.
+  /// Blocks of a level that have a part where for_each_corner is, and their knots.
   struct Front {
     std::vector<std::uint32_t> blocks;
     std::vector<double> knots;
