@@ -2,7 +2,7 @@
 #include "c/slip_law_yaml.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cstddef>
 #include <exception>
 #include <string>
 #include <vector>
@@ -16,7 +16,11 @@ namespace {
 void note(slip_error* error, int status, const std::string& message) {
   if (error == nullptr) return;
   error->status = status;
-  std::snprintf(error->message, sizeof error->message, "%s", message.c_str());
+  std::size_t length = std::min(message.size(), sizeof error->message - 1);
+  const auto continues = [&](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  // What is cut ends with a whole character of UTF-8.
+  while (length > 0 && length < message.size() && continues(message[length])) --length;
+  error->message[message.copy(error->message, length)] = '\0';
 }
 
 /// "LINE:COLUMN: path: message; hint" of each error, a line each.

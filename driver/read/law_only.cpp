@@ -25,6 +25,9 @@ tl::expected<LawOnly, base::Diagnostics> read_law_only(const base::SourceText& s
     found.names.push_back(std::move(one.name));
     found.definitions.push_back(std::move(one.law));
   }
+  if (found.definitions.empty()) {
+    faults.error(source.name(), {}, {}, "missing key 'friction'", "a law is that of a friction");
+  }
   if (faults.has_errors()) return tl::unexpected(std::move(faults));
   return found;
 }

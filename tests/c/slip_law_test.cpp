@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "c/slip_law.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <catch2/catch.hpp>
@@ -285,6 +286,23 @@ TEST_CASE("faults of a text are told with their places") {
   CHECK(error.status == SLIP_BAD_DEFINITION);
   CHECK(std::string(error.message).find("3:") == 0);
   CHECK(std::string(error.message).find("coeficient") != std::string::npos);
+  // A message that is cut ends with a whole character, wherever that is.
+  for (const std::string before : {"", "a"}) {
+    std::string faulty = "slipbench: 1\nconnector: {type: SLOT}\nfriction:\n  - predefined: {}\n";
+    for (int i = 0; i < 50; ++i) {
+      faulty += "    " + before;
+      for (int k = 0; k < 20; ++k) faulty += "\u00e4";
+      faulty += std::to_string(i) + ": 1\n";
+    }
+    CHECK(slip_law_create_from_yaml(faulty.c_str(), nullptr, &error) == nullptr);
+    const std::string message = error.message;
+    CHECK(message.size() > 500);
+    const auto begun = static_cast<std::size_t>(std::count(message.begin(), message.end(), '\xc3'));
+    CHECK(static_cast<std::size_t>(std::count(message.begin(), message.end(), '\xa4')) == begun);
+  }
+  CHECK(slip_law_create_from_yaml("slipbench: 1\nconnector: {type: SLOT}\n", nullptr, &error) ==
+        nullptr);
+  CHECK(std::string(error.message).find("missing key 'friction'") == 0);
   CHECK(slip_law_create_from_yaml(nullptr, nullptr, &error) == nullptr);
   CHECK(error.message[0] != '\0');
 }
