@@ -301,6 +301,9 @@ struct SearchStopText {
   }
 };
 
+/// The most fits to resampled residuals that a user may ask for.
+inline constexpr int kMostResamplings = 100'000;
+
 struct CalibrateText {
   yaml::At<std::vector<yaml::At<ExperimentText>>> experiments;
   yaml::At<std::vector<yaml::At<HoldoutText>>> holdout;
@@ -357,7 +360,7 @@ struct CalibrateText {
     key("bootstrap", &CalibrateText::bootstrap,
         {.text = "Fits to resampled residuals, for errors without a linear model.",
          .default_text = "0: none",
-         .bounds = {.lower = 0, .upper = 1.0e6}});
+         .bounds = {.lower = 0, .upper = kMostResamplings}});
     key("profile", &CalibrateText::profile,
         {.text = "true: the cost along every parameter, all others fitted again.",
          .default_text = "false"});

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "driver/calibrate/fit_text.hpp"
 #include "driver/cli/declare.hpp"
 #include "driver/commands/arguments.hpp"
 
@@ -23,7 +24,7 @@ void declare_calibrate(CLI::App& app, Command& command) {
       ->add_option("--bootstrap", options->bootstrap,
                    "Also errors by so many resamplings of the residuals")
       ->type_name("N")
-      ->check(whole_number(1, 100000));
+      ->check(whole_number(1, calibrate::kMostResamplings));
   declared->add_flag("--profile", options->profile,
                      "Also the profile likelihood of every parameter");
   declared

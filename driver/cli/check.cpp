@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "driver/base/files/work_crew.hpp"
 #include "driver/cli/declare.hpp"
 
 namespace slipbench::driver::cli {
@@ -18,7 +19,7 @@ void declare_check(CLI::App& app, Command& command) {
       ->expected(0, -1);
   declared->add_option("-j,--jobs", options->jobs, "Threads; default: one a core")
       ->type_name("N")
-      ->check(whole_number(1, 1024));
+      ->check(whole_number(1, base::kMostThreads));
   declare_settings(*declared, options->settings, options->allow_outside);
   declared
       ->add_option("--filter", options->filters,

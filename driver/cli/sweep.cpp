@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "driver/base/files/work_crew.hpp"
 #include "driver/cli/declare.hpp"
 #include "driver/commands/arguments.hpp"
 
@@ -23,7 +24,7 @@ void declare_sweep(CLI::App& app, Command& command) {
       ->type_name("FILE");
   declared->add_option("-j,--jobs", options->threads, "Threads; default: one a core")
       ->type_name("N")
-      ->check(whole_number(1, 1024));
+      ->check(whole_number(1, base::kMostThreads));
   declared
       ->add_option("--part", options->part,
                    "Only part I of N of the samples, for any engine that starts many programs")

@@ -26,6 +26,9 @@ void bind_tools(py::module_& module);
                                    std::span<const driver::base::SourceText> sources);
 /// Raises an exception of the module slipbench._errors: RunError, ..
 [[noreturn]] void raise_error(const char* type, const std::string& message);
+/// Raises ValueError for a number of threads that the program would refuse; 0 stands for as many as
+/// cores.
+void check_threads(int threads);
 /// Looks for Ctrl-C; false if there was one, whose exception is then set. Needs no lock, and is
 /// true on threads but the one that made it.
 class Interruption {

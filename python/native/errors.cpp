@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <string>
+
+#include "driver/base/files/work_crew.hpp"
 #include "python/native/bindings.hpp"
 
 namespace slipbench::python {
@@ -45,6 +48,12 @@ void raise_case_error(const driver::base::Diagnostics& diagnostics,
 
 void raise_error(const char* type, const std::string& message) {
   raise(errors_module().attr(type)(message));
+}
+
+void check_threads(int threads) {
+  if (threads >= 0 && threads <= driver::base::kMostThreads) return;
+  throw py::value_error("threads: wanted 0 to " + std::to_string(driver::base::kMostThreads) +
+                        ", found " + std::to_string(threads));
 }
 
 void warn_all(const driver::base::Diagnostics& diagnostics, std::span<const SourceText> sources) {

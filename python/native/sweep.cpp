@@ -25,7 +25,8 @@ using Settings = std::vector<std::pair<std::string, std::variant<double, std::st
 py::tuple swept(const std::string& text, const std::string& name, const std::string& folder,
                 bool allow_outside, const Settings& settings,
                 const std::vector<std::pair<std::string, std::vector<double>>>& varied,
-                const std::string& collect, unsigned threads) {
+                const std::string& collect, int threads) {
+  check_threads(threads);
   const base::SourceText source(name, text);
   auto parsed = driver::read::ParsedCase::parse(source, folder);
   if (!parsed) raise_case_error(parsed.error(), {&source, 1});
@@ -47,7 +48,7 @@ py::tuple swept(const std::string& text, const std::string& name, const std::str
   {
     const py::gil_scoped_release released;
     sweep::run_sweep(*read.value,
-                     {.threads = threads > 0 ? threads : base::core_count(),
+                     {.threads = threads > 0 ? static_cast<unsigned>(threads) : base::core_count(),
                       .go_on = [&] { return interruption.none(); }},
                      [&](const sweep::SampleOutcome& outcome) {
                        to = std::copy(outcome.numbers.begin(), outcome.numbers.end(), to);

@@ -11,6 +11,7 @@
 #include "driver/calibrate/calibrated_case.hpp"
 #include "driver/calibrate/calibration_json.hpp"
 #include "driver/calibrate/fit_summary.hpp"
+#include "driver/calibrate/fit_text.hpp"
 #include "driver/calibrate/read_fit.hpp"
 #include "python/native/bindings.hpp"
 #include "reference/catalogue.hpp"
@@ -22,8 +23,12 @@ namespace base = driver::base;
 namespace calibrate = driver::calibrate;
 
 py::dict calibrated(const std::string& path, const std::map<std::string, double>& values,
-                    std::optional<int> bootstrap, bool profile, unsigned threads,
-                    bool allow_outside) {
+                    std::optional<int> bootstrap, bool profile, int threads, bool allow_outside) {
+  check_threads(threads);
+  if (bootstrap && (*bootstrap < 0 || *bootstrap > calibrate::kMostResamplings)) {
+    throw py::value_error("bootstrap: wanted 0 to " + std::to_string(calibrate::kMostResamplings) +
+                          ", found " + std::to_string(*bootstrap));
+  }
   std::vector<base::ParameterText> overrides;
   overrides.reserve(values.size());
   for (const auto& [name, value] : values) overrides.push_back({name, value});
@@ -43,7 +48,7 @@ py::dict calibrated(const std::string& path, const std::map<std::string, double>
       if (!interruption.none()) throw Interrupted{};
     }};
     try {
-      return calibrate::calibrate(fit, progress, {.threads = threads});
+      return calibrate::calibrate(fit, progress, {.threads = static_cast<unsigned>(threads)});
     } catch (const Interrupted&) {
       return tl::unexpected(calibrate::CalibrationFailure{});
     }

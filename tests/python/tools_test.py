@@ -119,6 +119,32 @@ class Checks(unittest.TestCase):
         (missing,) = slipbench.check("nowhere.yaml")
         self.assertFalse(missing)
 
+    def test_pipes_and_links_out_of_a_folder_are_not_read(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name) / "suite"
+            folder.mkdir()
+            os.mkfifo(folder / "a_pipe.yaml")
+            (folder / "b_link.yaml").symlink_to(CASES / "examples/hinge.yaml")
+            errors = {pathlib.Path(one.file).name: one.error for one in slipbench.check(folder)}
+            (outside,) = [one for one in slipbench.check(folder, allow_outside=True) if one]
+        self.assertIn("is a pipe", errors["a_pipe.yaml"])
+        self.assertIn("is a link out of the folder", errors["b_link.yaml"])
+        self.assertEqual(pathlib.Path(outside.file).name, "b_link.yaml")
+
+
+class Amounts(unittest.TestCase):
+    def test_amounts_that_the_program_refuses_are_value_errors(self):
+        case = slipbench.load(CASES / "sweeps/slot.yaml")
+        fit = CASES / "calibration/wear_table_fit.yaml"
+        for threads in (-1, 2000):
+            with self.assertRaisesRegex(ValueError, f"threads: wanted 0 to 1024, found {threads}"):
+                slipbench.sweep(case, {"peak": {"max": "CSF1"}}, threads=threads, mu=[0.1, 0.2])
+            with self.assertRaisesRegex(ValueError, f"threads: wanted 0 to 1024, found {threads}"):
+                slipbench.calibrate(fit, threads=threads)
+        for bootstrap in (-1, 100001):
+            with self.assertRaisesRegex(ValueError, f"bootstrap: wanted 0 to 100000, found {bootstrap}"):
+                slipbench.calibrate(fit, bootstrap=bootstrap)
+
 
 class ClosedForms(unittest.TestCase):
     def test_the_capstan_is_eulers(self):

@@ -6,6 +6,9 @@
 
 namespace slipbench::driver::base {
 
+/// The most threads that a user may ask for.
+inline constexpr int kMostThreads = 1024;
+
 /// As many threads as the machine has cores, at least one.
 unsigned core_count();
 
