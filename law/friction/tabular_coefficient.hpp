@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -74,14 +75,21 @@ struct TabularCoefficient {
   }
   /// The next knot over the slip rate or the contact force.
   double next_bend(const SlipLine& line) const noexcept {
-    double next = next_knot_of_rate(line);
+    const double next = next_knot_of_rate(line);
     const int k = table.column_of(IndependentKind::kContactForce);
     if (k < 0 || line.force_per_slip == 0.0) return next;
-    for (const double knot : table.table().knots(k)) {
-      const double x = line.slip + (knot - line.force) / line.force_per_slip;
-      if (is_ahead(line, x)) next = std::min(next, x);
-    }
-    return next;
+    const auto knots = table.table().knots(k);
+    const auto here = std::upper_bound(knots.begin(), knots.end(), line.force);
+    // A force that stands on a knot may be rounded to either side of it: that knot is past.
+    const auto first_ahead = [&](auto knot, auto end) {
+      for (; knot != end; ++knot) {
+        const double x = line.slip + (*knot - line.force) / line.force_per_slip;
+        if (is_ahead(line, x)) return std::min(next, x);
+      }
+      return next;
+    };
+    return line.force_per_slip > 0.0 ? first_ahead(here, knots.end())
+                                     : first_ahead(std::make_reverse_iterator(here), knots.rend());
   }
   /// exp(mu alpha) of a linear coefficient is convex, -exp(-mu alpha) concave.
   double next_belt_bend(const SlipLine& line, double /*wrap_angle*/,

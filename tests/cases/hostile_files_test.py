@@ -465,6 +465,23 @@ Rmu       0.3
                 said = self.run_tool("export", "ragged.yaml", "--to", "table", code=2)
                 self.assertIn("too many slip rates and contact forces for a grid", said)
 
+    def test_wear_through_a_table_of_many_forces_has_an_end(self):
+        rows = ", ".join(f"[{0.1 + 0.01 * (i % 2)}, {i}]" for i in range(1, 60000))
+        self.write("wear.yaml", f"""slipbench: 1
+title: Wear
+connector: {{type: SLOT}}
+friction:
+  - component: 1
+    internal_contact_force: {{columns: [force, accumulated_slip], rows: [[60001, 0], [0.5, 60000]]}}
+    coefficient: {{columns: [mu, contact_force], rows: [{rows}]}}
+    stick: {{stiffness: 1.0e+6}}
+history:
+  - {{step: a, duration: 1, increments: 2, motion: {{CP1: {{to: 120000}}}}}}
+""")
+        start = time.monotonic()
+        self.assertIn("wear.csv", self.run_tool("run", "wear.yaml", "-o", "out"))
+        self.assertLess(time.monotonic() - start, SECONDS / 4)
+
     def test_a_deck_of_few_keys_has_an_end(self):
         steps = "  - {{step: a, duration: 1, increments: {}, repeat: {}, motion: {{CP1: {}}}, force: {{f2: 100}}}}\n"
         for increments, repeat, profile, code, words in (

@@ -205,6 +205,27 @@ TEST_CASE("a law says when it is asked outside its data") {
   CHECK_FALSE(outside(ExponentialDecay::example(), ambient, {.slip_rate = 1e9}));
 }
 
+TEST_CASE("a coefficient table bends at the next knot of its contact force, either way") {
+  const TabularCoefficient law{
+      make_function({{0.1, 10}, {0.3, 20}, {0.2, 40}, {0.1, 50}}, {kOverContactForce})};
+  // The force moves by 2 a unit of slip from where the search stands, at slip 3.
+  const auto bend_from = [&](double force, double way) {
+    return law.next_bend({.slip = 3.0, .end = 100.0, .force = force, .force_per_slip = way});
+  };
+  CHECK(bend_from(30.0, 2.0) == 8.0);
+  CHECK(bend_from(30.0, -2.0) == 8.0);
+  CHECK(bend_from(5.0, 2.0) == 5.5);
+  CHECK(bend_from(60.0, -2.0) == 8.0);
+  // A knot on which the force stands is past.
+  CHECK(bend_from(20.0, 2.0) == 13.0);
+  CHECK(bend_from(20.0, -2.0) == 8.0);
+  CHECK(bend_from(20.0 * (1.0 + 1e-15), -2.0) == Approx(8.0).epsilon(1e-13));
+  CHECK(bend_from(20.0 * (1.0 - 1e-15), 2.0) == Approx(13.0).epsilon(1e-13));
+  CHECK(bend_from(50.0, 2.0) == kNoBend);
+  CHECK(bend_from(10.0, -2.0) == kNoBend);
+  CHECK(bend_from(30.0, 0.0) == kNoBend);
+}
+
 TEST_CASE("a coefficient table without the slip rate does not weaken with it") {
   const FrictionLaw law =
       TabularCoefficient{make_function({{0.3, 0}, {0.1, 10}}, {kOverContactForce})};
