@@ -56,6 +56,26 @@ TEST_CASE("a spring's table is asked at the displacement and the temperature") {
   CHECK(table.value(9.0, at_temperature(20)).slope == 0.0);
 }
 
+TEST_CASE("a table over the displacement alone holds the energy of one over the temperature, too") {
+  for (const Rows& rows :
+       {Rows{{-30, -2}, {-10, -0.5}, {5, 0}, {8, 0.25}, {40, 3}}, Rows{{-3, -2}, {7, -1}, {9, 1.5}},
+        Rows{{2, 0.5}, {4, 1}, {1, 2}}, Rows{{-6, -4}, {-2, -3}, {-1, -0.25}}, Rows{{12, 1}}}) {
+    Rows twice;
+    for (const double temperature : {0.0, 100.0}) {
+      for (const auto& row : rows) twice.push_back({row[0], row[1], temperature});
+    }
+    const Independent displacement{IndependentKind::kConstitutiveMotion, 0};
+    for (const Extrapolation outside : {Extrapolation::kConstant, Extrapolation::kLinear}) {
+      if (rows.size() == 1 && outside == Extrapolation::kLinear) continue;
+      const Elasticity alone(make_function(rows, {displacement}, 1, outside));
+      const Elasticity warm(make_function(twice, {displacement, kOverTemperature}, 1, outside));
+      for (const double u :
+           {-5.0, -2.0, -1.2, -0.5, -0.1, 0.0, 0.1, 0.25, 0.7, 1.0, 2.0, 3.0, 7.0}) {
+        CHECK(alone.energy(u, {}) == Approx(warm.energy(u, at_temperature(0))).epsilon(1e-14));
+      }
+    }
+  }
+}
 TEST_CASE("the energy of a spring is the integral of its force, exactly") {
   const Elasticity table = spring();
   CHECK(table.energy(0.0, at_temperature(20)) == 0.0);
