@@ -414,8 +414,8 @@ TEST_CASE("Values of parameters may be shortened to what is unique") {
   CHECK(model.steps[0].drives.at(1).type == "VELOCITY");
   CHECK(model.steps[1].at_once == false);
   CHECK_FALSE(model.steps[1].new_loads);
-  CHECK(model.amplitudes.at(0).total_time);
-  CHECK(model.amplitudes.at(0).absolute);
+  CHECK(model.amplitudes.begin()->second.total_time);
+  CHECK(model.amplitudes.begin()->second.absolute);
   const auto said = [&](const std::string& text) {
     const ReadDeck read = folder.read(deck_of("SLOT", friction, text));
     return read.said.empty() ? "nothing" : read.said.front();
