@@ -316,7 +316,7 @@ tl::expected<void, PlotFailure> draw_mu_map(const PlotOptions& options,
                   options.input +
                       ": no coefficient of this case depends on anything: there is no map to draw");
   }
-  const auto followed = follow_for_plot(
+  auto followed = follow_for_plot(
       *problem, [&](const bench::Simulation& simulation) { all.visit(simulation); });
   if (!followed) return followed;
   Maps maps(*problem, all);

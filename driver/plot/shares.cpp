@@ -160,7 +160,7 @@ tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
   }
   const std::size_t count = std::min(kMostDefinitions, problem->definitions.size());
   ShareRows table(*problem, count);
-  const auto followed = follow_for_plot(
+  auto followed = follow_for_plot(
       *problem, [&](const bench::Simulation& simulation) { table.add(simulation); });
   if (!followed) return followed;
 
