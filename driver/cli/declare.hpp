@@ -45,10 +45,11 @@ const char* build_facts();
 /// Adds the options that every command with cases has, '--set' and '--allow-outside'.
 void declare_settings(CLI::App& command, std::vector<std::string>& settings, bool& allow_outside);
 
-/// Refuses a value that is no whole number from `first` to `last`, one that is no number, and one
-/// that is none of the words, each in a sentence.
+/// Refuses a value that is no whole number from `first` to `last`, one that is no number, or none
+/// from `first` to `last`, and one that is none of the words, each in a sentence.
 CLI::Validator whole_number(int first, int last);
 CLI::Validator any_number();
+CLI::Validator number_between(double first, double last);
 CLI::Validator one_of(std::vector<std::string> words);
 
 /// Adds '--format', in which rows are written.

@@ -50,6 +50,15 @@ CLI::Validator any_number() {
           ""};
 }
 
+CLI::Validator number_between(double first, double last) {
+  return {[=](std::string& value) {
+            const auto number = base::parse_number(value);
+            if (number && *number >= first && *number <= last) return std::string();
+            return fmt::format("wanted a number from {} to {}", first, last) + found(value);
+          },
+          ""};
+}
+
 CLI::Validator one_of(std::vector<std::string> words) {
   return {[words = std::move(words)](std::string& value) {
             const std::vector<std::string_view> names(words.begin(), words.end());

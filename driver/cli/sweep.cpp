@@ -38,7 +38,7 @@ void declare_sweep(CLI::App& app, Command& command) {
       ->add_option("--rate", options->rate,
                    "With --emit: samples a second and core; default: some are run to find it")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(number_between(1e-6, 1e9));
   declared->add_flag(
       "--no-rows", options->no_rows,
       "Write the summaries only, however many samples; of a part <sweep>.IofN.tally");

@@ -172,6 +172,8 @@ class HostileFiles(unittest.TestCase):
             self.assertEqual(len(jobs), 1)
             self.assertRegex(jobs[0], r"^\w+$")
             script.unlink()
+        for rate in ("nan", "inf", "0", "-1", "1e-300"):
+            self.assertIn("wanted a number from", self.run_tool("sweep", f"./{name}", "-o", "out", "--emit", "slurm", "--rate", rate, code=2))
 
     def test_a_title_is_no_keyword_of_a_deck(self):
         for title in ("*INCLUDE, INPUT=evil.inp", "  *EL FILE", "#include /etc/passwd", "/MAT/LAW1", "$ x"):
