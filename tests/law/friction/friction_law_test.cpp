@@ -226,6 +226,18 @@ TEST_CASE("a coefficient table bends at the next knot of its contact force, eith
   CHECK(bend_from(30.0, 0.0) == kNoBend);
 }
 
+TEST_CASE(
+    "a coefficient table bends at the next knot of its slip rate, counted from that at rest") {
+  const TabularCoefficient law{make_function({{0.3, 0}, {0.2, 5}, {0.1, 11}}, {kOverSlipRate})};
+  // The rate is 2 at slip 0 and 5 at slip 1.5.
+  const auto bend_from = [&](double slip) {
+    return law.next_bend({.slip = slip, .end = 100.0, .rate_at_zero = 2.0, .rate_per_slip = 2.0});
+  };
+  CHECK(bend_from(0.0) == 1.5);
+  CHECK(bend_from(1.5) == 4.5);
+  CHECK(bend_from(4.5) == kNoBend);
+}
+
 TEST_CASE("a coefficient table without the slip rate does not weaken with it") {
   const FrictionLaw law =
       TabularCoefficient{make_function({{0.3, 0}, {0.1, 10}}, {kOverContactForce})};

@@ -227,6 +227,44 @@ TEST_CASE("smallest, largest and steepest fall look at all rows") {
   CHECK(make_table({{1, 0}, {2, 1}}, 1, 1).steepest_fall(0) == 0.0);
 }
 
+TEST_CASE("of equal falls and growths the first is told") {
+  const Table table = make_table({{9, 0}, {7, 1}, {8, 2}, {6, 3}, {6, 4}}, 1, 1);
+  double knot = -1.0;
+  CHECK(table.steepest_fall(0, 0, &knot) == -2.0);
+  CHECK(knot == 0.0);
+  knot = -1.0;
+  CHECK(make_table({{1, 5}, {1, 6}, {1, 7}}, 1, 1).largest_growth(0, 0, &knot) == 1.0);
+  CHECK(knot == 5.0);
+  knot = -1.0;
+  CHECK(make_table({{1, 5}, {2, 6}, {1, 7}}, 1, 1).largest_growth(0, 0, &knot) == 8.0);
+  CHECK(knot == 5.0);
+  CHECK(make_table({{0.1, 1}, {0.1, 5}, {0.3, 6}}, 1, 1).largest_growth(0, 0, &knot) ==
+        Approx(0.3 + 6 * 0.2).epsilon(1e-14));
+  CHECK(knot == 5.0);
+}
+
+TEST_CASE("a cell knows where its point lies, and whether any of its blocks is ragged") {
+  using Place = slipbench::law::TableInterval::Place;
+  const Table line = make_table({{1, 0}, {2, 1}, {4, 2}}, 1, 1);
+  for (const auto& [x, place] : {std::pair{-0.1, Place::kBelow}, std::pair{0.0, Place::kInside},
+                                 std::pair{2.0, Place::kInside}, std::pair{2.1, Place::kAbove}}) {
+    CHECK(line.cell(std::array{x}).along[0].place == place);
+  }
+  // Three independents: at z = 0 the blocks are the same, at z = 1 they differ along x.
+  const Table table = make_table({{1, 0, 0, 0},
+                                  {2, 1, 0, 0},
+                                  {1, 0, 1, 0},
+                                  {2, 1, 1, 0},
+                                  {1, 0, 0, 1},
+                                  {2, 1, 0, 1},
+                                  {1, 0, 1, 1},
+                                  {2, 3, 1, 1}},
+                                 1, 3);
+  CHECK_FALSE(table.cell(std::array{0.5, 0.2, 0.0}).ragged);
+  CHECK(table.cell(std::array{0.5, 0.2, 1.0}).ragged);
+  CHECK(table.cell(std::array{0.5, 0.2, 0.3}).ragged);
+}
+
 TEST_CASE("rows that make no table are refused with the row, the other row and the column") {
   using Kind = TableError::Kind;
   const double infinity = std::numeric_limits<double>::infinity();
@@ -268,12 +306,12 @@ TEST_CASE("rows that make no table are refused with the row, the other row and t
   CHECK(error_of({wide}, 1, slipbench::law::kMaxIndependents + 1).kind ==
         Kind::kTooManyIndependents);
 
-  // Six independents of which no two blocks share a point; with the same points it is a table.
-  const auto deep = [](double apart) {
+  // No two blocks share a point; with the same points there is one corner a row.
+  const auto deep = [](int independents, double apart) {
     Rows rows;
-    for (int row = 0; row < 1 << 12; ++row) {
+    for (int row = 0; row < 1 << (2 * independents); ++row) {
       std::vector<double> items{0.1};
-      for (int k = 0; k < 6; ++k) {
+      for (int k = 0; k < independents; ++k) {
         const int place = row >> (2 * k);
         items.push_back((place & 3) + apart * (place >> 2));
       }
@@ -281,8 +319,8 @@ TEST_CASE("rows that make no table are refused with the row, the other row and t
     }
     return rows;
   };
-  CHECK(error_of(deep(1e-4), 1, 6).kind == Kind::kTooManyCorners);
-  CHECK(make_table(deep(0.0), 1, 6).rows() == 4096);
+  CHECK(error_of(deep(6, 1e-4), 1, 6).kind == Kind::kTooManyCorners);
+  CHECK(make_table(deep(8, 0.0), 1, 8).rows() == 65536);
 }
 
 /// Rows of random blocks: each has points of its own, or those of all.
