@@ -18,7 +18,7 @@ void note(slip_error* error, int status, const std::string& message) {
   error->status = status;
   std::size_t length = std::min(message.size(), sizeof error->message - 1);
   const auto continues = [&](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-  // What is cut ends with a whole character of UTF-8.
+  // Cuts before a character of UTF-8, not within one.
   while (length > 0 && length < message.size() && continues(message[length])) --length;
   error->message[message.copy(error->message, length)] = '\0';
 }

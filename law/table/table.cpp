@@ -266,7 +266,7 @@ bool Table::descend(int level, int k, std::vector<Front>& fronts, std::vector<do
     front.knots.insert(front.knots.end(), here.x.begin() + here.first[block],
                        here.x.begin() + here.first[block + 1]);
   }
-  // Where the end segment is prolonged, it is up to the ends of other blocks.
+  // Prolonged end segments reach to the ends of the other blocks.
   if (extrapolation_ == Extrapolation::kLinear) {
     front.knots.push_back(here.knots.front());
     front.knots.push_back(here.knots.back());

@@ -78,8 +78,8 @@ class Formulas {
     for (const auto& [name, text] : parameters) {
       length_ += text.size();
       in_pieces_.merge(names_in_pieces(text));
-      for (const std::string& one : names_in(text)) followers_[one].push_back(name);
-      defined_by_.emplace(name, names_in(text));
+      const auto& mentioned = defined_by_.emplace(name, names_in(text)).first->second;
+      for (const std::string& one : mentioned) followers_[one].push_back(name);
     }
     std::vector<yaml::Formula> all;
     parsed.resolve({.overrides = settings, .allow_outside = true, .formulas = &all});
