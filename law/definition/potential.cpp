@@ -5,14 +5,34 @@
 #include <cmath>
 
 namespace slipbench::law {
+namespace {
+
+/// Returns |y| over the entries that a leaf has, in parts of the largest of them.
+double small_norm(const PotentialLeaf& leaf, const SlipVector& y) noexcept {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (leaf.direction[k] != 0.0) largest = std::max(largest, std::abs(y[k]));
+  }
+  if (!(largest > 0.0)) return 0.0;
+  double square = 0.0;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (leaf.direction[k] != 0.0) square += (y[k] / largest) * (y[k] / largest);
+  }
+  return largest * std::sqrt(square);
+}
+
+}  // namespace
 
 double coordinate(const PotentialLeaf& leaf, const SlipVector& y) noexcept {
   if (leaf.kind != PotentialLeaf::Kind::kNorm) return dot(leaf.direction, y) - leaf.center;
+  // Squares with digits to lose are near where a double underflows: a limit of nearly nothing with
+  // an allowable elastic slip leaves such forces.
+  constexpr double kNoDigits = 1e-290;
   double square = 0.0;
   for (std::size_t k = 0; k < y.size(); ++k) {
     if (leaf.direction[k] != 0.0) square += y[k] * y[k];
   }
-  return std::sqrt(square);
+  return square > kNoDigits ? std::sqrt(square) : small_norm(leaf, y);
 }
 
 double length(const PotentialLeaf& leaf, const SlipVector& y) noexcept {

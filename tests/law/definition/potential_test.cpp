@@ -140,6 +140,18 @@ TEST_CASE("large exponents neither overflow nor vanish") {
         Approx(1e-200 * std::pow(2.0, 1.0 / 500.0)).epsilon(1e-12));
 }
 
+TEST_CASE("a norm whose squares underflow keeps its length and direction") {
+  PotentialLeaf norm;
+  norm.kind = PotentialLeaf::Kind::kNorm;
+  norm.direction = {1.0, 0.0, 1.0};
+  for (const double unit : {1.0, 1e-150, 1e-200, 1e-300}) {
+    INFO("unit " << unit);
+    CHECK(length(norm, {3.0 * unit, 7.0, -4.0 * unit}) ==
+          Approx(5.0 * unit).epsilon(1e-14).margin(0));
+  }
+  CHECK(length(norm, {0.0, 7.0, 0.0}) == 0.0);
+}
+
 TEST_CASE("potentials that are the norm of their slip space take the Euclidean path") {
   const auto euclidean = [](const BuiltPotential& built) {
     REQUIRE(built.violations.empty());
