@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -36,6 +37,25 @@ double first_peak(Function&& f, double from, double to, double size) {
   const double step = 1e-5 * (to - from);
   const double fall = 4.0 * f(to - step) - 3.0 * value - f(to - 2.0 * step);
   return fall > 2e-15 * size ? peak(before, to) : to;
+}
+
+/// The larger of `known` and the largest value in [from, to] of a function that is smooth there:
+/// at an end, or where a parabola through both and the middle has a top that is beyond `known`.
+template <class Function>
+double largest_on(Function&& f, double from, double to, double known) {
+  const double begin = f(from);
+  const double middle = f(0.5 * (from + to));
+  const double end = f(to);
+  known = std::max({known, begin, middle, end});
+  const double rise = 4.0 * middle - 3.0 * begin - end;
+  const double fall = 4.0 * middle - 3.0 * end - begin;
+  // Slopes of the parabola at both ends; of a function that is constant they are rounding.
+  const double flat = 1e-10 * std::abs(middle);
+  if (!(rise > flat) || !(fall > flat)) return known;
+  const double top = middle + 0.5 * (end - begin) * (end - begin) / (rise + fall);
+  if (top < known) return known;
+  const auto below = [&](double t) { return -f(t); };
+  return std::max(known, f(lowest(below, from, to, -std::numeric_limits<double>::infinity())));
 }
 
 }  // namespace
@@ -130,11 +150,17 @@ double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
     if (error > 1.0) shortest *= 2.0;
     step = (next - tau) * std::clamp(0.9 * std::pow(std::max(error, 1e-10), -0.2), 0.2, 5.0);
     if (wears_) {
-      // Steepest where a piece ends, and there it is another one's already.
+      // Just inside: where a piece ends it is another one's already.
       const double low = slip_of(tau, x);
       const double high = std::max(slip_of(next, trial.end), low);
-      snap_back_ = std::max(snap_back_, wear_ratio(next - margin_inside(tau, next, 0.0),
-                                                   high - margin_inside(low, high, begin_slip_)));
+      const double inside = margin_inside(low, high, begin_slip_);
+      const double margin = margin_inside(tau, next, 0.0);
+      snap_back_ = largest_on(
+          [&](double t) {
+            const double slip = slip_of(t, t < next - margin ? at(t) : trial.end);
+            return wear_ratio(t, std::clamp(slip, low + inside, high - inside));
+          },
+          tau + margin, next - margin, snap_back_);
     }
     x = trial.end;
     tau = next;

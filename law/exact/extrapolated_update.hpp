@@ -11,7 +11,8 @@ namespace slipbench::law {
 /// whose results are extrapolated to sub-increments of no length (Aitken and Neville; Deuflhard
 /// 1983 for the implicit Euler method), piece by piece: in a piece all of them have one signature
 /// (sub_increment.hpp), and where that changes is bisected down to rounding. For laws without a
-/// solution by events: Potential, viscous friction.
+/// solution by events: Potential, viscous friction. `snap_back` is the largest at the ends of the
+/// sub-increments.
 /// \param tolerance of force and slip as parts of limit and elastic slip, for each piece
 /// \param[out] changes of regime, may be null
 FrictionUpdate extrapolated_update(const FrictionDefinition& definition, const PathSegment& segment,

@@ -375,6 +375,27 @@ TEST_CASE("the steepest wear is told to the end of a piece, whatever steps come 
   }
 }
 
+TEST_CASE("the steepest wear is told where it lies inside of a piece") {
+  // At the temperature T the coefficient is 0.5 - 0.3 T, and F_int falls by 20 + 120 T per slip:
+  // the limit falls fastest at T = 0.75, by 0.275 * 110.
+  FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
+  definition.contact_force = NoContactForce{};
+  definition.law = TabularCoefficient{make_function({{0.5, 0}, {0.2, 1}}, {kOverTemperature})};
+  definition.internal_contact_force =
+      make_function({{600, 0, 0}, {520, 4, 0}, {600, 0, 1}, {40, 4, 1}},
+                    {kOverAccumulatedSlip, kOverTemperature});
+  for (const Criterion& criterion : criteria_of_one()) {
+    definition.criterion = criterion.of;
+    ExactRun run(definition);
+    Waypoint end = at(2.0);
+    end.temperature = 1.0;
+    run.go(end);
+    // A potential is looked at where its sub-increments end.
+    const bool by_events = std::holds_alternative<EuclideanPotential>(criterion.of);
+    CHECK(run.last.snap_back == Approx(0.03025).epsilon(by_events ? 1e-12 : 1e-2));
+  }
+}
+
 TEST_CASE("a contact that slip builds up opens all the same where time takes it") {
   // F_int = 10 + 2 L - 40 T, never below 0, while the motion goes from 0 to 2 and T from 0 to 1:
   // slip ends at L = 2 T = 10 / 18.
