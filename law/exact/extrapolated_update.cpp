@@ -36,10 +36,14 @@ constexpr double kNoLimit = 1e-11;
 constexpr std::array kSamples{0.0, 0.25, 0.5, 0.75, 1.0};
 /// First piece of slip, in parts of the motion that turns a force: the elastic slip.
 constexpr double kFirst = 1e-4;
-/// An error below this one that a shorter piece does not lessen is rounding.
+/// An error below this one that so many halvings of a piece do not lessen is rounding; that of a
+/// piece much longer than a fast turn inside falls with its length, or not at first.
 constexpr double kRounding = 1e-10;
+constexpr int kHalvings = 4;
 /// Rounding of a limit as a part of its largest term, as extrapolation enlarges it.
 constexpr double kRoundedLimit = 100.0 * std::numeric_limits<double>::epsilon();
+/// Rows of a table before its error is known.
+constexpr int kLeastRows = 3;
 /// Work after which a segment is given up: some thousand corners, in some two seconds.
 constexpr long kMostWork = 8000000;
 
@@ -94,12 +98,12 @@ class Pieces {
 
   void run() noexcept {
     double step = 1.0;
-    double event = 2.0;  // something changes before it; none is known beyond 1
-    bool again = false;  // the way to the event is to be tried as a whole
-    int flickers = 0;
-    bool fresh = true;  // nothing is known yet of how fast the force turns
-    double error = std::numeric_limits<double>::infinity();  // of the last piece tried here
-    if (steps_.beyond(at_, 0.0)) cross(kSameFraction);       // the limit has jumped below the force
+    double event = 2.0;              // something changes before it; none is known beyond 1
+    bool again = false;              // the way to the event is to be tried as a whole
+    int flickers = 0, halvings = 0;  // these of the piece first tried here
+    bool fresh = true;               // nothing is known yet of how fast the force turns
+    double error = 0.0;              // of that piece, or of the one kHalvings before
+    if (steps_.beyond(at_, 0.0)) cross(kSameFraction);  // the limit has jumped below the force
     while (tau_ < 1.0) {
       if (steps_.work() > kMostWork) {
         converged_ = false;
@@ -112,6 +116,7 @@ class Pieces {
         cross(event);
         event = 2.0;
         step = 1.0;
+        halvings = 0;
         fresh = true;
         ++flickers;
         continue;
@@ -121,6 +126,7 @@ class Pieces {
       again = false;
       if (event > 1.0 && 1.0 - to < kSameFraction) to = 1.0;
       const Run run = extrapolate(tau_, to);
+      const bool is_due = halvings % kHalvings == 0;
       if (run.outcome == Run::Outcome::kMixed) {
         event = to;
       } else if (const double dip = first_dip(run, to); dip < to) {
@@ -130,13 +136,18 @@ class Pieces {
         step = first_;
         fresh = false;
       } else if (run.outcome == Run::Outcome::kUnsettled && to - tau_ > shortest &&
-                 !(run.error < kRounding && run.error > 0.25 * error)) {
+                 !(is_due && halvings > 0 && run.error < kRounding && run.error > 0.25 * error)) {
         step = 0.5 * (to - tau_);
-        error = run.error;
+        if (is_due) error = run.error;
+        ++halvings;
       } else {
-        error = std::numeric_limits<double>::infinity();
-        // What settles late only would not at twice the length.
-        step = (run.rows < NevilleTable::kMostRows - 1 ? 2.0 : 1.0) * (to - tau_);
+        // What settles late only would not at twice the length; what is rounded is so at any.
+        const int doublings = run.outcome == Run::Outcome::kUnsettled
+                                  ? std::min(halvings, kHalvings)
+                              : run.rows < NevilleTable::kMostRows - 1 ? 1
+                                                                       : 0;
+        step = std::ldexp(to - tau_, doublings);
+        halvings = 0;
         const bool long_enough = to - tau_ > 1e3 * shortest;
         if (long_enough) flickers = 0;
         take(run, to);
@@ -191,8 +202,6 @@ class Pieces {
   }
 
  private:
-  static constexpr int kLeastRows = 3;
-
   /// Work and dissipation of a step, by the force at its end throughout: their errors are smooth in
   /// the length of steps. y.m is F_lim without shifts.
   void add(const SubIncrement& step, double length, PieceSums* sums) const noexcept {
@@ -237,8 +246,7 @@ class Pieces {
       if (count < kLeastRows) continue;
       result.error =
           std::max(difference(result.end, table.beside()), difference(result.end, table.above()));
-      const bool gone = common.regime == Regime::kOpen;
-      if (gone || result.error <= tolerance_) {
+      if (common.regime == Regime::kOpen || result.error <= tolerance_) {
         result.outcome = goes_on(result, from, to) ? Run::Outcome::kSettled : Run::Outcome::kMixed;
         return result;
       }
@@ -341,11 +349,10 @@ class Pieces {
         to - tau_ < 1e-6) {
       return to;
     }
-    const auto slips = [&](double tau) {
-      return steps_.step(at_, tau_, tau).signature.regime == Regime::kSlip;
-    };
+    // Of what the limit leaves to the force; below 0 where it slips.
     const auto holds = [&](double tau) {
-      return steps_.holds(steps_.step(at_, tau_, tau).end, tau);
+      const SubIncrement there = steps_.step(at_, tau_, tau);
+      return there.signature.regime == Regime::kSlip ? -1.0 : steps_.holds(there.end, tau);
     };
     const double cell = (to - tau_) / kCells;
     double before = holds(tau_ + 0.5 * cell);
@@ -353,15 +360,8 @@ class Pieces {
     for (int i = 2; i <= kCells; ++i) {
       const double after = holds(tau_ + i * cell);
       if (here < before && here <= after) {
-        double low = tau_ + (i - 2) * cell;
-        double high = tau_ + i * cell;
-        for (int k = 0; k < 40; ++k) {
-          const double a = low + 0.382 * (high - low);
-          const double b = high - 0.382 * (high - low);
-          if (slips(a)) return a;
-          if (slips(b)) return b;
-          (holds(a) < holds(b) ? high : low) = holds(a) < holds(b) ? b : a;
-        }
+        const double place = lowest(holds, tau_ + (i - 2) * cell, tau_ + i * cell, -0.5);
+        if (holds(place) < -0.5) return place;
       }
       before = here;
       here = after;

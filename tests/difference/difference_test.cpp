@@ -46,7 +46,7 @@ constexpr double kNothing = 1e-100;
 constexpr double kJump = 1e-6;
 
 /// Seeds that have found something, in the law or in what this test takes for an error.
-constexpr std::array<std::uint64_t, 34> kFound{
+constexpr std::array<std::uint64_t, 35> kFound{
     1233, 1692, 1906,  // work: the fraction at which a potential's limit is met
     1394, 1529, 2419, 2841, 2953, 4648,
     4840,                    // forces on a potential with shifts, or several terms a part
@@ -60,9 +60,18 @@ constexpr std::array<std::uint64_t, 34> kFound{
     20270601076517, 20270801028134, 20270801055741, 20270901033084};  // the bound's own
 /// The fourth: a rest of next to no length, told as a change of regime; the fifth and sixth: a
 /// contribution of several terms that do not all pull; the seventh: a walk over knots without an
-/// end; the last: the steepest wear at the end of a piece.
-constexpr std::array<std::uint64_t, 8> kFoundExactly{
-    34, 39, 73, 20261226004250, 20270226007850, 20270301011750, 20261126080800, 20270901008650};
+/// end; the eighth and the last: the steepest wear at the end of a piece and inside; the ninth: a
+/// turn within a long piece, taken for rounding.
+constexpr std::array<std::uint64_t, 10> kFoundExactly{34,
+                                                      39,
+                                                      73,
+                                                      20261226004250,
+                                                      20270226007850,
+                                                      20270301011750,
+                                                      20261126080800,
+                                                      20270901008650,
+                                                      20261127045600,
+                                                      20261127063500};
 
 /// Makes numbers long, and off. Equal ones stay equal, as those of a table that belong together
 /// have to, and counts stay as they are.
