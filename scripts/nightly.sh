@@ -9,7 +9,7 @@
 #   properties  the properties of the law over random cases of other seeds every night                 1 min
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
 #   long        10^8 increments, a CSV of 2 GB, 100,000 cases, 1,000 definitions, a table of 10^6 rows; 3 GB of disk       10 min
-#   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             3 min
+#   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             5 min
 #   torture     scripts/torture.sh                                                                   3 min
 #   packages    scripts/package.sh, and its packages in a minimal Debian and an empty root (as root)  10 min
 #   live        scripts/wasm.sh: the bench in a page; its rows beside the program's, and the page in a browser          a build
@@ -84,7 +84,7 @@ large() {
   configure release
   build release --target fuzz_replay
   grow() { build/release/tests/fuzz/fuzz_replay "$1" --large "${@:2}" >build/large.log || { cat build/large.log; fail "too much, see above"; }; }
-  grow case_text 999999 cases/examples/*.yaml
+  grow case_text 999999 cases/examples/*.yaml cases/verification/{coefficient,wear}_table*.yaml
   grow fit 999999 cases/calibration/*_fit.yaml
   grow sweep 999999 cases/sweeps/*.yaml
   grow csv 999999 cases/calibration/*.csv
