@@ -34,8 +34,9 @@ class Handle {
 
 constexpr std::string_view kUnits = "# columns: ";
 
-/// So many rows are in memory at once.
+/// So many rows are in memory at once, or as many as have so many numbers.
 constexpr std::size_t kTogether = 16384;
+constexpr std::size_t kMostNumbers = 4'000'000;
 
 bool write_text(hid_t object, const char* name, const std::string& text) {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -95,7 +96,7 @@ std::string write(const std::filesystem::path& path, const TableHead& head,
     if (!units[c].empty() && !write_text(columns.back().get(), "unit", units[c])) return fault;
   }
   const std::size_t width = columns.size();
-  std::vector<double> block(kTogether * width);
+  std::vector<double> block(std::clamp<std::size_t>(kMostNumbers / width, 1, kTogether) * width);
   std::vector<double> column(kTogether);
   std::uint64_t done = 0;
   while (const std::size_t count = read(block)) {

@@ -20,7 +20,7 @@
 #include "driver/report/collect.hpp"
 #include "driver/report/drawn_columns.hpp"
 #include "driver/report/row_choice.hpp"
-#include "driver/results/regime_spans.hpp"
+#include "driver/results/regime_history.hpp"
 #include "driver/results/result_layout.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/yaml/parse.hpp"
@@ -358,7 +358,12 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
     changed = changes;
     for (std::size_t d = 0; d < spans.size() && count > 0; ++d) {
       if (status[d] >= row.size()) continue;
-      spans[d].add(static_cast<int>(std::lround(row[status[d]])), before[0], row[0]);
+      const auto regime = results::regime_of(row[status[d]]);
+      if (!regime) {
+        return unreadable(name,
+                          reader->error_here(results::no_regime(row[status[d]], row[0])).value());
+      }
+      spans[d].add(*regime, before[0], row[0]);
     }
     before = row;
   }

@@ -131,6 +131,7 @@ tl::expected<PlotData, base::HistoryError> read_plot_data(const std::filesystem:
   std::vector<RegimeRecorder> regimes(data.definitions.size());
   std::vector<int> now(data.definitions.size());
   double before = 0.0;
+  std::optional<std::string> strange;
   auto read = each_row(file, shown_name, names, [&](std::span<const double> row, std::int64_t at) {
     for (std::size_t k = 0; k < row.size(); ++k) {
       data.lowest[k] = std::min(data.lowest[k], row[k]);
@@ -140,19 +141,29 @@ tl::expected<PlotData, base::HistoryError> read_plot_data(const std::filesystem:
       const int status = data.definitions[d].status;
       if (status < 0) continue;
       // A row tells the regime of the increment that it ends.
-      const int regime = static_cast<int>(std::lround(row[static_cast<std::size_t>(status)]));
-      if (at == 0) regimes[d].begin(regime, row[0]);
-      if (at > 0 && regime != now[d]) regimes[d].change(regime, before);
-      now[d] = regime;
+      const double number = row[static_cast<std::size_t>(status)];
+      const auto regime = regime_of(number);
+      if (!regime && !strange) strange = no_regime(number, row[0]);
+      if (!regime) continue;
+      if (at == 0) regimes[d].begin(*regime, row[0]);
+      if (at > 0 && *regime != now[d]) regimes[d].change(*regime, before);
+      now[d] = *regime;
     }
     before = row[0];
     data.rows_in_all = at + 1;
   });
   if (!read) return tl::unexpected(std::move(read.error()));
+  if (strange) {
+    return tl::unexpected(base::HistoryError{base::HistoryError::Kind::kInput, shown_name, 0, 0,
+                                             std::move(*strange)});
+  }
   for (std::size_t d = 0; d < regimes.size(); ++d) {
     data.definitions[d].regimes = regimes[d].end(before);
   }
-  PixelColumns columns(names.size(), data.lowest[0], data.highest[0], pixels);
+  // A file of thousands of columns has fewer pixels for each.
+  constexpr std::size_t kMostNumbers = 8'000'000;
+  const std::size_t affordable = std::max<std::size_t>(kMostNumbers / (4 * names.size()), 1);
+  PixelColumns columns(names.size(), data.lowest[0], data.highest[0], std::min(pixels, affordable));
   read = each_row(file, shown_name, names,
                   [&](std::span<const double> row, std::int64_t) { columns.add(row); });
   if (!read) return tl::unexpected(std::move(read.error()));

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/results/regime_history.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -13,6 +16,17 @@ constexpr std::size_t kMostMarks = 4000;
 constexpr double kNearestMarks = 2e-3;
 
 }  // namespace
+
+std::optional<int> regime_of(double status) {
+  for (const int regime : {0, 1, 2}) {
+    if (std::abs(status - regime) < 0.5) return regime;
+  }
+  return std::nullopt;
+}
+
+std::string no_regime(double status, double time) {
+  return fmt::format("STATUS is {} at t = {}; it is 0 (open), 1 (stick) or 2 (slip)", status, time);
+}
 
 void RegimeRecorder::begin(int status, double time) {
   status_ = status;

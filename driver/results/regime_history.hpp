@@ -4,11 +4,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "driver/results/regime_spans.hpp"
 
 namespace slipbench::driver::results {
+
+/// Returns the regime that a number of a column STATUS tells, 0 open, 1 stick, 2 slip; nothing if
+/// it tells none.
+std::optional<int> regime_of(double status);
+/// Says of a number that tells none, and the time of its row, what is wrong.
+std::string no_regime(double status, double time);
 
 /// An instant at which a regime begins.
 struct RegimeMark {
