@@ -45,6 +45,11 @@ std::optional<std::string> violation(const Wave& wave) {
   if (!std::isfinite(wave.amplitude) || !std::isfinite(wave.mean) || !std::isfinite(wave.phase)) {
     return "amplitude, mean and phase must be finite";
   }
+  // Beyond it the corners of a wave have no digits left.
+  constexpr double kMostPhase = 1e9;
+  if (std::abs(wave.phase) > kMostPhase) {
+    return fmt::format("the phase {} is more than a billion radians", wave.phase);
+  }
   return std::nullopt;
 }
 

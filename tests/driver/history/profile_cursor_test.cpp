@@ -173,6 +173,8 @@ TEST_CASE("an unsound table or wave is refused") {
         "point 2 is not finite");
   CHECK(ProfileCursor::open(Wave{WaveShape::kSine, 1.0, 0.0, 0.0, 0.0}).error().message ==
         "the period must be positive, not 0");
+  CHECK(ProfileCursor::open(Wave{WaveShape::kSine, 1.0, 1.0, 0.0, -1e20}).error().message ==
+        "the phase -1e+20 is more than a billion radians");
   CHECK_FALSE(ProfileCursor::open(Wave{WaveShape::kSine, std::nan(""), 1.0, 0.0, 0.0}));
   ProfileCursor dense = opened(Wave{WaveShape::kSquare, 1.0, 1e-12, 0.0, 0.0});
   CHECK_FALSE(dense.begin({1.0, 0.0, 0.0}));
