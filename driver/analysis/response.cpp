@@ -5,20 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
-#include <vector>
 
 #include "driver/base/units/readable.hpp"
 #include "driver/bench/run_case.hpp"
 
 namespace slipbench::driver::analysis {
 namespace {
-
-/// State of all definitions at a time.
-struct Moment {
-  double time = 0.0;
-  std::vector<law::FrictionState> states;
-};
 
 double dissipation_of(const bench::Row& row) {
   double sum = 0.0;
@@ -53,33 +47,40 @@ tl::expected<ResponseDifference, std::string> compare_responses(const cases::Cas
     return tl::unexpected<std::string>("they have not as many friction definitions");
   }
   ResponseDifference difference;
-  std::vector<Moment> moments;
-  const auto first = bench::run_case(other, [&](const bench::Row& row) {
-    Moment& here = moments.emplace_back(Moment{row.time, {}});
-    for (const bench::DefinitionRow& definition : row.definitions) {
-      here.states.push_back(definition.update.state);
-    }
-    difference.other_dissipation = dissipation_of(row);
-    difference.other_creep += creep_of(row);
-  });
-  if (!first) return tl::unexpected(first.error().message);
-  std::size_t at = 0;
-  const auto second = bench::run_case(one, [&](const bench::Row& row) {
+  auto beside = bench::Simulation::start(other);
+  if (!beside) return tl::unexpected(std::move(beside.error().message));
+  std::optional<std::string> failure;
+  const auto take_other = [&] {
+    difference.other_dissipation = dissipation_of(beside->row());
+    difference.other_creep += creep_of(beside->row());
+  };
+  // Goes to the next row; tells whether there is one, and none is behind a failure.
+  const auto goes_on = [&] {
+    const auto more = beside->advance();
+    if (!more) failure = more.error().message;
+    if (!more || !*more) return false;
+    take_other();
+    return true;
+  };
+  take_other();
+  bool ended = false;
+  const auto run = bench::run_case(one, [&](const bench::Row& row) {
     difference.dissipation = dissipation_of(row);
     difference.creep += creep_of(row);
     constexpr double kSameTime = 1e-9;
     const double slack = kSameTime * std::abs(row.time);
-    while (at < moments.size() && moments[at].time < row.time - slack) ++at;
-    if (at == moments.size() || moments[at].time > row.time + slack) {
+    while (!ended && beside->row().time < row.time - slack) ended = !goes_on();
+    if (ended || beside->row().time > row.time + slack) {
       ++difference.unmatched;
       return;
     }
     for (std::size_t d = 0; d < row.definitions.size(); ++d) {
-      difference.force.add(row, d, moments[at].states[d]);
+      difference.force.add(row, d, beside->row().definitions[d].update.state);
     }
-    ++at;
   });
-  if (!second) return tl::unexpected(second.error().message);
+  if (!run) return tl::unexpected(run.error().message);
+  while (!ended) ended = !goes_on();
+  if (failure) return tl::unexpected(std::move(*failure));
   return difference;
 }
 

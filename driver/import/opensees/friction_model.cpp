@@ -135,6 +135,9 @@ class ModelReader {
   }
 
  private:
+  /// Models that become tables, of some 50 KB of text each.
+  static constexpr int kMostTables = 2000;
+
   void fault(const ScriptCommand& command, const std::string& message) {
     out_.error(script_.texts.name(command.where), script_.texts.position(command.where),
                command.words.front(), message);
@@ -218,6 +221,11 @@ class ModelReader {
       friction.otherwise.coefficient = transition(n[0], n[1], n[2]);
       return positive(n[0] >= 0.0 && n[1] >= 0.0 && n[2] >= 0.0,
                       "muSlow, muFast and transRate must not be negative");
+    }
+    if (++tables_ > kMostTables) {
+      const bool first = tables_ == kMostTables + 1;
+      if (first) fault(command, fmt::format("at most {} models of tables are read", kMostTables));
+      return false;
     }
     if (found.type == "VelPressureDep") {
       if (!positive(n[0] > 0.0 && n[1] > 0.0 && n[2] > 0.0 && n[4] >= 0.0 && n[5] >= 0.0,
@@ -320,6 +328,7 @@ class ModelReader {
   base::Diagnostics& out_;
   std::vector<Found> found_;
   std::map<double, std::size_t> by_tag_;  ///< their places
+  int tables_ = 0;                        ///< models of two independents so far
 };
 
 }  // namespace

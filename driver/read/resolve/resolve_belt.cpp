@@ -35,7 +35,7 @@ void read_wrap_angles(yaml::Binder& binder, const yaml::At<NumberOrList>& text,
     binder.error(*text.node, text.path, "needs an angle for each ring, found an empty list");
     return;
   }
-  constexpr std::size_t kMostRings = 1000;
+  constexpr std::size_t kMostRings = 100;
   if (text.sound && text.value.values.size() > kMostRings) {
     binder.error(
         *text.node, text.path,
