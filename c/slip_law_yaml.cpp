@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "driver/base/text/source_text.hpp"
+#include "driver/base/text/utf8.hpp"
 #include "driver/read/law_only.hpp"
 #include "law/definition/packed_definition.hpp"
 
@@ -16,11 +17,8 @@ namespace {
 void note(slip_error* error, int status, const std::string& message) {
   if (error == nullptr) return;
   error->status = status;
-  std::size_t length = std::min(message.size(), sizeof error->message - 1);
-  const auto continues = [&](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-  // Cuts before a character of UTF-8, not within one.
-  while (length > 0 && length < message.size() && continues(message[length])) --length;
-  error->message[message.copy(error->message, length)] = '\0';
+  const auto fits = slipbench::driver::base::whole_characters(message, sizeof error->message - 1);
+  error->message[fits.copy(error->message, fits.size())] = '\0';
 }
 
 /// "LINE:COLUMN: path: message; hint" of each error, a line each.

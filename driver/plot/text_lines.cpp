@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/plot/text_lines.hpp"
 
+#include "driver/base/text/utf8.hpp"
+
 namespace slipbench::driver::plot {
 namespace {
 
 constexpr std::string_view kGoesOn = " ...";
 
-bool begins_letter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
-
 /// Bytes of the first `letters` letters.
 std::size_t bytes_of(std::string_view text, std::size_t letters) {
   std::size_t i = 0;
   while (i < text.size()) {
-    if (begins_letter(text[i]) && letters-- == 0) break;
+    if (!base::continues_character(text[i]) && letters-- == 0) break;
     ++i;
   }
   return i;

@@ -265,12 +265,7 @@ std::string printable(std::string_view text) {
 
 std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return printable(text);
-  // Not inside a character of several bytes.
-  const auto continues = [&](std::size_t at) {
-    return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
-  };
-  while (most > 0 && continues(most)) --most;
-  return printable(text.substr(0, most)) + "...";
+  return printable(whole_characters(text, most)) + "...";
 }
 
 std::string in_cell(std::string_view name) {

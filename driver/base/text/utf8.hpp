@@ -18,6 +18,18 @@ struct CodePoint {
   bool valid = false;
 };
 
+/// Tells whether a byte goes on with a character that began before it.
+[[nodiscard]] constexpr bool continues_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+/// Returns the begin of a text: `most` bytes, or fewer where they would end inside a character.
+[[nodiscard]] constexpr std::string_view whole_characters(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && continues_character(text[most])) --most;
+  return text.substr(0, most);
+}
+
 /// Decodes the character at the front of a text that is not empty (RFC 3629).
 [[nodiscard]] constexpr CodePoint decode_utf8(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -27,7 +39,7 @@ struct CodePoint {
   if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return {lead, 1, false};
   std::uint32_t value = lead & (0x7FU >> length);
   for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return {lead, 1, false};
+    if (!continues_character(text[i])) return {lead, 1, false};
     value = (value << 6U) | (byte(i) & 0x3FU);
   }
   const bool overlong = (length == 3 && value < 0x800) || (length == 4 && value < 0x10000);
