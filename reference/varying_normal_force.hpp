@@ -304,18 +304,18 @@ inline std::optional<std::string> quadrature_violation(
   return "modulation is 1; the normal force must stay above 0";
 }
 
+/// From its first stick on the slider goes through the same changes in every period, where a slip
+/// follows each stick: whole periods are counted, not walked through.
 inline PathEvaluator make_quadrature(std::span<const std::vector<double>> values) {
   const Slider slider{values[0][0], values[1][0]};
   const Quadrature path{values[2][0], values[3][0], values[4][0]};
+  // The first slip; stick, backward slip, stick and forward slip of every period.
+  constexpr std::size_t kOfOnePeriod = 5;
   return [slider, path, period = values[5][0], start_time = values[6][0],
-          events = quadrature_events(slider, path, 8)](std::span<const double> inputs,
-                                                       std::span<double> outputs) mutable {
+          events = quadrature_events(slider, path, kOfOnePeriod)](std::span<const double> inputs,
+                                                                  std::span<double> outputs) {
+    constexpr double kTurn = 2.0 * std::numbers::pi;
     const double phase = std::max(phase_at(inputs[0], start_time, period), 0.0);
-    while (!events.empty() && events.back().phase <= phase) {
-      auto more = quadrature_events(slider, path, 2 * events.size());
-      if (more.size() == events.size()) break;
-      events = std::move(more);
-    }
     const auto motion = [&](double p) { return path.amplitude * std::sin(p); };
     const auto normal_force = [&](double p) {
       return path.mean * (1.0 - path.modulation * std::cos(p));
@@ -324,18 +324,28 @@ inline PathEvaluator make_quadrature(std::span<const std::vector<double>> values
     double force = k * motion(phase);
     double slip = 0.0;
     double dissipation = 0.0;
-    for (std::size_t i = 0; i < events.size() && events[i].phase <= phase; ++i) {
+    const auto add = [&](const Event& event, double end, double times) {
+      const double sense = event.kind == EventKind::kForwardSlip ? 1.0 : -1.0;
+      slip += times * (sense * (motion(end) - event.motion) -
+                       slider.mu / k * (normal_force(end) - normal_force(event.phase)));
+      dissipation += times * quadrature_slip_energy(slider, path, sense, event.phase, end);
+    };
+    double periods = 0.0;
+    if (events.size() == kOfOnePeriod && phase >= events[1].phase) {
+      periods = std::floor((phase - events[1].phase) / kTurn);
+      add(events[2], events[3].phase, periods);
+      add(events[4], events[1].phase + kTurn, periods);
+    }
+    const double here = phase - kTurn * periods;
+    for (std::size_t i = 0; i < events.size() && events[i].phase <= here; ++i) {
       const Event& event = events[i];
       if (event.kind == EventKind::kStick) {
         force = event.force + k * (motion(phase) - event.motion);
         continue;
       }
       const double sense = event.kind == EventKind::kForwardSlip ? 1.0 : -1.0;
-      const double end = i + 1 < events.size() ? std::min(events[i + 1].phase, phase) : phase;
       force = sense * slider.mu * normal_force(phase);
-      slip += sense * (motion(end) - event.motion) -
-              slider.mu / k * (normal_force(end) - normal_force(event.phase));
-      dissipation += quadrature_slip_energy(slider, path, sense, event.phase, end);
+      add(event, i + 1 < events.size() ? std::min(events[i + 1].phase, here) : here, 1.0);
     }
     outputs[0] = force;
     outputs[1] = motion(phase);

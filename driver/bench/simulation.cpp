@@ -561,7 +561,7 @@ tl::expected<void, SimulationFailure> Simulation::advance_mass(bool start) {
   // Coupled springs follow the position of the mass.
   take_springs_and_dampers(*case_, connector_increment(*case_, row_), row_.forces,
                            dynamics_->component());
-  if (start || definition < 0) return {};
+  if (definition < 0) return {};
   return judge(row_, static_cast<std::size_t>(definition));
 }
 
@@ -649,6 +649,7 @@ tl::expected<void, SimulationFailure> Simulation::judge(const Row& at,
                     base::format_number(at.duration), base::format_number(period))});
   }
   const char* what = not_finite(row.update);
+  if (what == nullptr && !all_finite(row)) what = "sum of the energies";
   // The limit along an ellipse is finite beside one infinite coefficient.
   if (what == nullptr && !std::isfinite(row.penalty.mu[0] + row.penalty.mu[1])) {
     what = "coefficient";

@@ -60,6 +60,11 @@ struct DefinitionRow {
   law::SegmentBehind behind;  ///< of a ring, where the segments' lengths are known
 };
 
+/// Tells whether the sums of energies are finite.
+inline bool all_finite(const DefinitionRow& row) {
+  return std::isfinite(row.dissipation) && std::isfinite(row.work) && std::isfinite(row.lost);
+}
+
 /// The result of one increment. Row 0 is the initial state: forces, temperature and fields as the
 /// history begins, no motion yet.
 struct Row {

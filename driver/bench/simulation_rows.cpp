@@ -32,6 +32,14 @@ void add_up(const DefinitionRow& before, DefinitionRow& here) {
   here.jumps = before.jumps + here.update.jumps;
 }
 
+/// Returns how many rows have finite sums of energies; a sum that is not finite stays so.
+std::size_t finite_rows(std::span<const Row> rows, std::size_t definition) {
+  const auto is_finite = [&](const Row& row) { return all_finite(row.definitions[definition]); };
+  if (rows.empty() || is_finite(rows.back())) return rows.size();
+  return static_cast<std::size_t>(std::find_if_not(rows.begin(), rows.end(), is_finite) -
+                                  rows.begin());
+}
+
 /// Tells whether the table of a term, or the place of the connector, has a part in F_C.
 bool depends_on_ambient(const law::ContactForce& contact) {
   if (const auto* terms = std::get_if<law::DerivedComponent>(&contact)) {
@@ -246,10 +254,11 @@ std::size_t Simulation::advance_together() {
     const bool known = std::holds_alternative<law::EuclideanPotential>(definitions_[i].criterion) &&
                        law::has_known_limit(definitions_[i]);
     const int dimension = known ? definitions_[i].slip.dimension : 0;
-    const std::size_t done = dimension == 1   ? update_known_rows<1>(rows, i)
-                             : dimension == 2 ? update_known_rows<2>(rows, i)
-                             : dimension == 3 ? update_known_rows<3>(rows, i)
-                                              : update_rows_one_by_one(rows, i);
+    std::size_t done = dimension == 1   ? update_known_rows<1>(rows, i)
+                       : dimension == 2 ? update_known_rows<2>(rows, i)
+                       : dimension == 3 ? update_known_rows<3>(rows, i)
+                                        : update_rows_one_by_one(rows, i);
+    done = finite_rows(rows.first(done), i);
     if (done == count) continue;
     count = done;
     failed_ = judge(rows_[done], i).error();

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "driver/base/text/format_number.hpp"
 #include "driver/calibrate/estimate_text.hpp"
 #include "driver/calibrate/outliers.hpp"
 #include "driver/calibrate/residuals.hpp"
@@ -39,7 +40,7 @@ std::string outlier_text(const FittedResponse& response, const std::string& time
 /// told.
 double usual_threshold(std::span<const double> residuals) {
   const double usual = kUsualThreshold * robust_scale(residuals);
-  return usual > 0.0 ? std::stod(fmt::format("{:.2g}", usual)) : 0.0;
+  return usual > 0.0 ? base::rounded_number(usual, 2) : 0.0;
 }
 
 /// Returns whether residuals of the responses are so alike that one threshold serves them all.

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -90,7 +91,7 @@ bool scale_svg(const fs::path& file, double scale) {
     if (found == std::string::npos) return false;
     const std::size_t begin = found + name.size();
     const std::size_t end = text.find('"', begin);
-    const double side = std::stod(text.substr(begin, end - begin));
+    const double side = std::strtod(text.substr(begin, end - begin).c_str(), nullptr);
     text.replace(begin, end - begin, fmt::format("{:.0f}", scale * side));
   }
   std::ofstream out(file, std::ios::binary);

@@ -284,7 +284,7 @@ void ExactWalk::run() noexcept {
   double tau = 0.0;
   int stuck = 0;
   for (int events = 0; tau < 1.0; ++events) {
-    if (events > kMostEvents) {
+    if (events > kMostEvents || limits_ > kMostLimits) {
       converged_ = false;
       return;
     }

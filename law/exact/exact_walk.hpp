@@ -49,9 +49,12 @@ class ExactWalk {
   static constexpr double kSameFraction = 1e-13;
   /// Steps or pieces after which an integration takes what it has: rounding is in its way.
   static constexpr int kMostPieces = 2000;
+  /// Evaluations of the limit after which a segment is given up, within a second.
+  static constexpr long kMostLimits = 10'000'000;
 
   double sense() const { return slip_at_.along < 0.0 ? -sign_ : sign_; }
   Limit limit(double tau, double slip, double rate = 0.0) noexcept {
+    ++limits_;
     return points_.limit(tau, begin_slip_ + slip, rate, sense());
   }
   LimitPoint point(double tau, double slip, double rate) const {
@@ -152,6 +155,7 @@ class ExactWalk {
   double lost_ = 0.0;
   double jump_onset_ = 0.0;
   int jumps_ = 0;
+  long limits_ = 0;  ///< evaluations so far
   Regime regime_;
   double force_scale_ = 0.0;    ///< of the limit [F]
   double contact_scale_ = 0.0;  ///< of F_N [F]

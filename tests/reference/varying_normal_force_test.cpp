@@ -181,11 +181,13 @@ TEST_CASE("the closed form of a normal force in quadrature runs through its even
     CHECK(std::abs(rows[i][0]) == exact(0.2 * rows[i][2]));
   }
   const auto periods = evaluate("quadrature_normal_force", values,
-                                {{0.0}, {pi}, {2.0 * pi}, {4.0 * pi}, {60.0 * pi}});
+                                {{0.0}, {pi}, {2.0 * pi}, {4.0 * pi}, {60.0 * pi}, {2e9 * pi}});
   CHECK(periods[0] == std::vector<double>{0.0, 0.0, 50.0, 0.0, 0.0});
   CHECK_THAT(periods[3][4] - periods[2][4], printed("6.37613910583832"));
   // Thirty periods' roundings.
   CHECK(periods[4][4] - periods[2][4] == Approx(29.0 * 6.37613910583832).epsilon(1e-12));
+  // A billion periods are not walked through.
+  CHECK(periods[5][4] - periods[2][4] == Approx((1e9 - 1.0) * 6.37613910583832).epsilon(1e-12));
 }
 
 TEST_CASE("fine pieces approach the closed form of a normal force in quadrature everywhere") {

@@ -44,4 +44,14 @@ std::string format_number(double value) {
   return text;
 }
 
+double rounded_number(double value, int digits) {
+  std::array<char, kLongest> text{};
+  char* const end =
+      std::to_chars(text.data(), text.data() + kLongest, value, std::chars_format::general, digits)
+          .ptr;
+  double rounded = value;
+  std::from_chars(text.data(), end, rounded);
+  return rounded;
+}
+
 }  // namespace slipbench::driver::base

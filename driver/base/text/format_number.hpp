@@ -17,4 +17,7 @@ void append_number(std::string& text, double value);
 /// The same of several, each with a comma behind it.
 void append_numbers(std::string& text, std::span<const double> values);
 
+/// Returns the number of so many digits, 1 to 17, that is nearest to another one.
+[[nodiscard]] double rounded_number(double value, int digits);
+
 }  // namespace slipbench::driver::base

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "driver/base/text/format_number.hpp"
 #include "driver/import/abaqus/element_sets.hpp"
 #include "driver/import/abaqus/keyword_list.hpp"
 #include "driver/import/abaqus/rows.hpp"
@@ -63,7 +64,7 @@ struct Section {
 /// Takes off what turned axes leave of rounding, in numbers that people wrote with a few digits.
 double rounded(double value, double scale) {
   constexpr double kNothing = 1e-12;
-  return std::abs(value) <= kNothing * scale ? 0.0 : std::stod(fmt::format("{:.12g}", value));
+  return std::abs(value) <= kNothing * scale ? 0.0 : base::rounded_number(value, 12);
 }
 
 /// Goes through a deck once, and makes the model of what it found.

@@ -176,7 +176,7 @@ double period_of(double frequency) {
   const double period = 2.0 * std::numbers::pi / frequency;
   constexpr int kAllDigits = 17;
   for (int digits = 1; digits <= kAllDigits; ++digits) {
-    const double shorter = std::stod(fmt::format("{:.{}g}", period, digits));
+    const double shorter = base::rounded_number(period, digits);
     if (2.0 * std::numbers::pi / shorter == frequency) return shorter;
   }
   return period;

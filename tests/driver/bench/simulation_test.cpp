@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "driver/bench/run_case.hpp"
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
@@ -222,6 +226,30 @@ TEST_CASE("an update that is not finite ends the run and names step, time and de
   CHECK(more.error().message ==
         "step 'press', t = 0.5 (total time 0.5): definition 'sleeve': the normal force is not "
         "finite");
+}
+
+TEST_CASE("energies whose sum is not finite end the run, also of rows that come together") {
+  // 1e153 N over 1e153 mm an increment: 180 of them are beyond the largest double.
+  cases::Case problem = slider_case({step("rub", 400, 0, history::LinearTo{4e155})});
+  problem.definitions[0].law.internal_contact_force = 5e153;
+  problem.definitions[0].law.stick.value = 2.0;
+  const std::string_view message = "definition 'sleeve': the sum of the energies is not finite";
+  auto one_by_one = Simulation::start(problem);
+  REQUIRE(one_by_one);
+  int sound = 0;
+  auto more = one_by_one->advance();
+  for (; more && *more; more = one_by_one->advance()) ++sound;
+  REQUIRE_FALSE(more);
+  CHECK(more.error().kind == SimulationFailure::Kind::kNumerical);
+  CHECK(more.error().message.ends_with(message));
+  CHECK(sound == 179);
+
+  int rows = -1;  // row 0 is no increment
+  const auto together = run_in_blocks(
+      problem, [&](std::span<const Row> some) { rows += static_cast<int>(some.size()); });
+  REQUIRE_FALSE(together);
+  CHECK(together.error().message == more.error().message);
+  CHECK(rows == sound);
 }
 
 }  // namespace

@@ -158,5 +158,15 @@ TEST_CASE("A locale with a decimal comma changes neither reading nor writing") {
   std::setlocale(LC_ALL, before.c_str());
 }
 
+TEST_CASE("a number is rounded to digits, also below the smallest with all of them") {
+  CHECK(rounded_number(2.0 / 3.0, 3) == 0.667);
+  CHECK(rounded_number(-123456.0, 2) == -120000.0);
+  CHECK(rounded_number(0.1, 17) == 0.1);
+  CHECK(rounded_number(0.0, 4) == 0.0);
+  CHECK(rounded_number(1e-320, 12) == 1e-320);
+  CHECK(rounded_number(std::numeric_limits<double>::max(), 2) ==
+        std::numeric_limits<double>::max());
+}
+
 }  // namespace
 }  // namespace slipbench::driver::base
