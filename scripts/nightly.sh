@@ -10,6 +10,7 @@
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
 #   long        10^8 increments, a CSV of 2 GB, 100,000 cases, 1,000 definitions, a table of 10^6 rows; 3 GB of disk       10 min
 #   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             5 min
+#   numbers     every number of the examples, decks and results as 13 that nobody means                       2 min
 #   torture     scripts/torture.sh                                                                   3 min
 #   packages    scripts/package.sh, and its packages in a minimal Debian and an empty root (as root)  10 min
 #   live        scripts/wasm.sh: the bench in a page; its rows beside the program's, and the page in a browser          a build
@@ -100,6 +101,19 @@ large() {
   grow radioss 999999 tests/decks/radioss
 }
 
+numbers() {
+  configure release
+  build release --target fuzz_replay
+  change() { build/release/tests/fuzz/fuzz_replay "$1" --numbers "${@:2}" >build/numbers.log || { cat build/numbers.log; fail "too much, see above"; }; }
+  change case_text cases/examples/*.yaml cases/verification/*.yaml
+  change fit cases/calibration/*_fit.yaml
+  change sweep cases/sweeps/*.yaml
+  change result tests/fuzz/corpus/result
+  change expression tests/fuzz/corpus/expression
+  local dialect
+  for dialect in abaqus lsdyna opensees radioss; do change "$dialect" "tests/decks/$dialect"; done
+}
+
 torture() { scripts/torture.sh; }
 packages() { scripts/package.sh && tests/packages/minimal_debian.sh && tests/packages/bare_root.sh; }
 live() {
@@ -134,7 +148,7 @@ coverage() { scripts/coverage.sh; }
 
 mutate() { scripts/mutate.sh --seed "$(date +%Y%m%d)"; }
 
-parts=(sanitizers threads memory difference properties fuzz long large torture packages live compilers coverage mutate)
+parts=(sanitizers threads memory difference properties fuzz long large numbers torture packages live compilers coverage mutate)
 for part in "$@"; do
   printf '%s\n' "${parts[@]}" | grep -qxF -- "$part" || fail "wanted some of ${parts[*]}; found '$part'" 2
 done

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// replay TARGET [--large BYTES] FILE|FOLDER..: gives a target the files, and every file of the
-// folders. With --large what grows out of them instead: each file again and again, and each kind of
-// line, and of list in a line, again and again in its place, up to so many bytes: as it is, with
-// numbers that count up, with those of a table whose blocks share no points, with names of their
-// own. An input that takes 2 s is a fault, and
-// so are 256 MB at any time; a program that is not optimised, or has sanitizers, may take 20 s, and
-// with sanitizers any memory. Exit code 1 for such a fault, 2 if there is no such target, no file,
-// or one that cannot be read; a target that breaks a promise ends the program.
+// replay TARGET [--large BYTES|--numbers] FILE|FOLDER..: gives a target the files, and every file
+// of the folders. With --large what grows out of them instead: each file again and again, and each
+// kind of line, and of list in a line, again and again in its place, up to so many bytes: as it is,
+// with numbers that count up, with those of a table whose blocks share no points, with names of
+// their own. With --numbers each number of each file, one after the other, as what nobody means. An
+// input that takes 2 s is a fault, and so are 256 MB at any time; a program that is not optimised,
+// or has sanitizers, may take 20 s, and with sanitizers any memory. Exit code 1 for such a fault, 2
+// if there is no such target, no file, or one that cannot be read; a target that breaks a promise,
+// or does not end, ends the program.
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <csignal>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -166,9 +169,26 @@ struct Tried {
   long most = kMost;             ///< KB that were in use, or may be
 };
 
+/// The input that a target has, for one that ends the program, or does not end.
+std::string& now_tried() {
+  static std::string what;
+  return what;
+}
+
+extern "C" void tell_input(int signal) {
+  const std::string& what = now_tried();
+  const std::string_view end = signal == SIGALRM ? "\n  does not end\n" : "\n";
+  static_cast<void>(write(STDOUT_FILENO, what.data(), what.size()) +
+                    write(STDOUT_FILENO, end.data(), end.size()));
+  _exit(1);
+}
+
 /// Feeds a target; returns how many faults that is, 1 if the input took too much.
 /// \param what the input is, behind what it took
 int feed(Target target, std::string_view input, std::string_view what, Tried* tried) {
+  now_tried() = what;
+  for (const int signal : {SIGALRM, SIGABRT, SIGSEGV}) std::signal(signal, tell_input);
+  alarm(static_cast<unsigned>(20.0 * kLongest));
   const double before = processor_seconds();
   target(input);
   const double took = processor_seconds() - before;
@@ -245,10 +265,30 @@ int feed_large(Target target, const std::string& text, std::size_t most, Tried* 
   return faults;
 }
 
+/// Feeds a target with a text in which each number, one after the other, is one of these.
+int feed_numbers(Target target, const std::string& text, Tried* tried) {
+  int faults = 0;
+  for (const auto& [at, length] : numbers_in(text)) {
+    for (const std::string_view number : {"0", "-1", "0.3", "1e-320", "1e-30", "1e7", "2147483648",
+                                          "1e20", "-1e20", "1e308", "-1e308", ".inf", "nan"}) {
+      const std::string made = text.substr(0, at) + std::string(number) + text.substr(at + length);
+      const std::size_t line = text.rfind('\n', at) + 1;
+      faults += feed(target, made,
+                     ", with " + std::string(number) +
+                         " for the number at the end of: " + text.substr(line, at + length - line),
+                     tried);
+    }
+  }
+  return faults;
+}
+
+/// What a target is fed with: files as they are, what grows out of them, or other numbers.
+enum class Mode { kPlain, kLarge, kNumbers };
+
 /// Feeds a target with files, and with all files of folders, the inputs of each in the order of
 /// their names.
-/// \param most bytes of what grows out of them, or 0: they are taken as they are
-int replay(const std::string& name, std::size_t most,
+/// \param most bytes of what grows out of them
+int replay(const std::string& name, Mode mode, std::size_t most,
            const std::vector<std::filesystem::path>& places) {
   const auto target = targets().find(name);
   if (target == targets().end()) {
@@ -275,10 +315,20 @@ int replay(const std::string& name, std::size_t most,
       return 2;
     }
     const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    faults += most > 0 ? feed_large(target->second, bytes, most, &tried)
-                       : feed(target->second, bytes, "", &tried);
+    switch (mode) {
+      case Mode::kPlain:
+        faults += feed(target->second, bytes, "", &tried);
+        break;
+      case Mode::kLarge:
+        faults += feed_large(target->second, bytes, most, &tried);
+        break;
+      case Mode::kNumbers:
+        faults += feed_numbers(target->second, bytes, &tried);
+        break;
+    }
   }
-  std::cout << files.size() << (most > 0 ? " files, grown, of " : " inputs of ") << name << '\n';
+  std::cout << files.size() << (mode == Mode::kPlain ? " inputs of " : " files, changed, of ")
+            << name << '\n';
   if (files.empty()) return 2;
   return faults == 0 ? 0 : 1;
 }
@@ -290,12 +340,16 @@ Registered::Registered(std::string_view name, Target target) { targets().emplace
 }  // namespace slipbench::fuzz
 
 int main(int count, char** words) {
-  const bool large = count > 2 && std::string_view(words[2]) == "--large";
-  const int first = large ? 4 : 2;
+  using slipbench::fuzz::Mode;
+  const std::string_view option = count > 2 ? words[2] : "";
+  const Mode mode = option == "--large"     ? Mode::kLarge
+                    : option == "--numbers" ? Mode::kNumbers
+                                            : Mode::kPlain;
+  const int first = mode == Mode::kLarge ? 4 : mode == Mode::kNumbers ? 3 : 2;
   if (count <= first) {
-    std::cerr << "usage: fuzz_replay TARGET [--large BYTES] FILE|FOLDER..\n";
+    std::cerr << "usage: fuzz_replay TARGET [--large BYTES|--numbers] FILE|FOLDER..\n";
     return 2;
   }
-  const std::size_t most = large ? std::strtoull(words[3], nullptr, 10) : 0;
-  return slipbench::fuzz::replay(words[1], most, {words + first, words + count});
+  const std::size_t most = mode == Mode::kLarge ? std::strtoull(words[3], nullptr, 10) : 0;
+  return slipbench::fuzz::replay(words[1], mode, most, {words + first, words + count});
 }
