@@ -10,7 +10,7 @@
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
 #   long        10^8 increments, a CSV of 2 GB, 100,000 cases, 1,000 definitions, a table of 10^6 rows; 3 GB of disk       10 min
 #   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             5 min
-#   numbers     every number of the examples, decks and results as 13 that nobody means                       2 min
+#   numbers     every number of the examples, decks and results as 13 that nobody means                       3 min
 #   torture     scripts/torture.sh                                                                   3 min
 #   packages    scripts/package.sh, and its packages in a minimal Debian and an empty root (as root)  10 min
 #   live        scripts/wasm.sh: the bench in a page; its rows beside the program's, and the page in a browser          a build
