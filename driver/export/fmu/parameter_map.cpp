@@ -21,9 +21,9 @@ constexpr const char* kCurve = "the friction follows it by a curve, or together 
 constexpr const char* kPlace = "the connector begins at another place with it";
 constexpr const char* kTooLong =
     "the friction is too long to be read again for as many parameters as it has";
-/// Numbers and characters of formulas that are read again for all parameters together, some
-/// seconds.
-constexpr std::size_t kMostRead = 10'000'000;
+/// Numbers and characters of formulas that are read again for all parameters together, a second or
+/// two.
+constexpr std::size_t kMostRead = 2'000'000;
 
 /// The case with other values of its parameters.
 class Varied {
