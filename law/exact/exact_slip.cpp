@@ -39,8 +39,8 @@ double first_peak(Function&& f, double from, double to, double size) {
   return fall > 2e-15 * size ? peak(before, to) : to;
 }
 
-/// The larger of `known` and the largest value in [from, to] of a function that is smooth there:
-/// at an end, or where a parabola through both and the middle has a top that is beyond `known`.
+/// Returns the larger of `known` and the largest value of a smooth function in [from, to]: at an
+/// end, or where a parabola through both and the middle has a top that is beyond `known`.
 template <class Function>
 double largest_on(Function&& f, double from, double to, double known) {
   const double begin = f(from);

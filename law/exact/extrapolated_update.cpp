@@ -100,7 +100,7 @@ class Pieces {
     double step = 1.0;
     double event = 2.0;              // something changes before it; none is known beyond 1
     bool again = false;              // the way to the event is to be tried as a whole
-    int flickers = 0, halvings = 0;  // these of the piece first tried here
+    int flickers = 0, halvings = 0;  // of the piece first tried here
     bool fresh = true;               // nothing is known yet of how fast the force turns
     double error = 0.0;              // of that piece, or of the one kHalvings before
     if (steps_.beyond(at_, 0.0)) cross(kSameFraction);  // the limit has jumped below the force
@@ -349,7 +349,7 @@ class Pieces {
         to - tau_ < 1e-6) {
       return to;
     }
-    // Of what the limit leaves to the force; below 0 where it slips.
+    // What the limit leaves to the force; below 0 where it slips.
     const auto holds = [&](double tau) {
       const SubIncrement there = steps_.step(at_, tau_, tau);
       return there.signature.regime == Regime::kSlip ? -1.0 : steps_.holds(there.end, tau);
