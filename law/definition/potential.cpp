@@ -25,8 +25,8 @@ double small_norm(const PotentialLeaf& leaf, const SlipVector& y) noexcept {
 
 double coordinate(const PotentialLeaf& leaf, const SlipVector& y) noexcept {
   if (leaf.kind != PotentialLeaf::Kind::kNorm) return dot(leaf.direction, y) - leaf.center;
-  // Smaller squares have lost digits, or underflow to 0: a limit of nearly nothing with an allowable
-  // elastic slip leaves such forces.
+  // Smaller squares have lost digits, or underflow to 0: a limit of nearly nothing with an
+  // allowable elastic slip leaves such forces.
   constexpr double kNoDigits = 1e-290;
   double square = 0.0;
   for (std::size_t k = 0; k < y.size(); ++k) {
