@@ -10,26 +10,26 @@ namespace slipbench::driver::base {
 namespace {
 
 // The longest is -2.2250738585072014e-308: 24 characters.
-constexpr std::size_t kLongest = 32;
+constexpr std::size_t kMostCharacters = 32;
 
 /// Writes a number, and returns where it ends.
-/// \param to has room for kLongest
+/// \param to has room for kMostCharacters
 char* put_number(char* to, double value) {
   // The sign of a NaN depends on the operation that made it, and says nothing.
   if (std::isnan(value)) return std::copy_n("nan", 3, to);
-  return std::to_chars(to, to + kLongest, value).ptr;
+  return std::to_chars(to, to + kMostCharacters, value).ptr;
 }
 
 }  // namespace
 
 void append_number(std::string& text, double value) {
-  std::array<char, kLongest> buffer{};
+  std::array<char, kMostCharacters> buffer{};
   text.append(buffer.data(), put_number(buffer.data(), value));
 }
 
 void append_numbers(std::string& text, std::span<const double> values) {
   const std::size_t size = text.size();
-  text.resize(size + (kLongest + 1) * values.size());
+  text.resize(size + (kMostCharacters + 1) * values.size());
   char* to = text.data() + size;
   for (const double value : values) {
     to = put_number(to, value);
@@ -45,10 +45,10 @@ std::string format_number(double value) {
 }
 
 double rounded_number(double value, int digits) {
-  std::array<char, kLongest> text{};
-  char* const end =
-      std::to_chars(text.data(), text.data() + kLongest, value, std::chars_format::general, digits)
-          .ptr;
+  std::array<char, kMostCharacters> text{};
+  char* const end = std::to_chars(text.data(), text.data() + kMostCharacters, value,
+                                  std::chars_format::general, digits)
+                        .ptr;
   double rounded = value;
   std::from_chars(text.data(), end, rounded);
   return rounded;
