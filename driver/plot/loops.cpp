@@ -50,7 +50,7 @@ std::vector<PathRows::Column> path_columns(const results::PlotData& data,
   return columns;
 }
 
-/// The cycles of each definition: of the first of its motions that has a full one.
+/// The cycles of each definition that is drawn: of the first of its motions that has a full one.
 tl::expected<std::vector<MotionCycles>, base::HistoryError> find_cycles(
     const results::PlotData& data, const fs::path& file, const std::string& shown_name) {
   struct Motion {
@@ -60,7 +60,7 @@ tl::expected<std::vector<MotionCycles>, base::HistoryError> find_cycles(
   };
   std::vector<Motion> motions;
   std::vector<std::string> columns;
-  for (std::size_t d = 0; d < data.definitions.size(); ++d) {
+  for (std::size_t d = 0; d < drawn_definitions(data); ++d) {
     for (const int position : data.definitions[d].positions) {
       if (!moves(data, position)) continue;
       const auto k = static_cast<std::size_t>(position);
@@ -71,7 +71,7 @@ tl::expected<std::vector<MotionCycles>, base::HistoryError> find_cycles(
       if (known == columns.end()) columns.push_back(data.columns[k].name);
     }
   }
-  std::vector<MotionCycles> found(data.definitions.size());
+  std::vector<MotionCycles> found(drawn_definitions(data));
   if (motions.empty()) return found;
   auto read =
       results::each_row(file, shown_name, columns, [&](std::span<const double> row, std::int64_t) {
@@ -128,7 +128,7 @@ tl::expected<void, base::HistoryError> add_loops(results::PlotData& data, const 
   const auto cycles = find_cycles(data, file, shown_name);
   if (!cycles) return tl::unexpected(cycles.error());
   std::vector<Loops> all;
-  for (std::size_t d = 0; d < data.definitions.size(); ++d) {
+  for (std::size_t d = 0; d < drawn_definitions(data); ++d) {
     all.push_back(choose_loops(data, data.definitions[d], (*cycles)[d]));
   }
   std::vector<std::string> names;

@@ -15,10 +15,10 @@ namespace slipbench::driver::plot {
 /// More rows of one loop than this are not drawn.
 inline constexpr std::size_t kMostLoopRows = 50000;
 
-/// Reads the loops of each definition from the result that `data` is of: of a cyclic motion the
-/// cycles that drawn_cycles() names, each whole; of any other the run. The cycles are those of the
-/// first of its motions that has a full one. Rows that cannot be told apart in a picture are left
-/// out (PathRows), and a run without cycles ends where it has kMostLoopRows.
+/// Reads the loops of each definition that is drawn from the result of `data`: of a cyclic motion
+/// the cycles that drawn_cycles() names, each whole; of any other the run. The cycles are those of
+/// the first of its motions that has a full one. Rows that cannot be told apart in a picture are
+/// left out (PathRows), and a run without cycles ends where it has kMostLoopRows.
 ///
 /// Errors: those of CsvReader.
 tl::expected<void, base::HistoryError> add_loops(results::PlotData& data,

@@ -160,10 +160,7 @@ tl::expected<PlotData, base::HistoryError> read_plot_data(const std::filesystem:
   for (std::size_t d = 0; d < regimes.size(); ++d) {
     data.definitions[d].regimes = regimes[d].end(before);
   }
-  // A file of thousands of columns has fewer pixels for each.
-  constexpr std::size_t kMostNumbers = 8'000'000;
-  const std::size_t affordable = std::max<std::size_t>(kMostNumbers / (4 * names.size()), 1);
-  PixelColumns columns(names.size(), data.lowest[0], data.highest[0], std::min(pixels, affordable));
+  PixelColumns columns(names.size(), data.lowest[0], data.highest[0], pixels);
   read = each_row(file, shown_name, names,
                   [&](std::span<const double> row, std::int64_t) { columns.add(row); });
   if (!read) return tl::unexpected(std::move(read.error()));

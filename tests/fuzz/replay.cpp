@@ -84,7 +84,7 @@ double in_copy(Copies copies, double number, std::size_t k, std::size_t index, s
 
 bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Length of the number that begins at `at`, 0 if none does.
+/// Returns the length of the number that begins at `at`, 0 if none does.
 std::size_t number_at(const std::string& text, std::size_t at) {
   if (at > 0 && (is_of_word(text[at - 1]) || text[at - 1] == '.')) return 0;
   if (std::string_view("+-.0123456789").find(text[at]) == std::string_view::npos) return 0;
@@ -201,7 +201,7 @@ int feed(Target target, std::string_view input, std::string_view what, Tried* tr
   return 1;
 }
 
-/// What one kind of piece has in common: how it begins, and how many numbers it has.
+/// Returns what one kind of piece has in common: how it begins, and how many numbers it has.
 std::string shape_of(std::string piece) {
   const std::size_t numbers = numbers_in(piece).size();
   piece.erase(0, piece.find_first_not_of(' '));
@@ -282,7 +282,8 @@ int feed_numbers(Target target, const std::string& text, Tried* tried) {
   return faults;
 }
 
-/// What a target is fed with: files as they are, what grows out of them, or other numbers.
+/// Source of what a target is fed with: files as they are, what grows out of them, or other
+/// numbers.
 enum class Mode { kPlain, kLarge, kNumbers };
 
 /// Feeds a target with files, and with all files of folders, the inputs of each in the order of
