@@ -93,8 +93,8 @@ tl::expected<ExpressionProfile, base::ExpressionError> compile_profile(
 /// differ, not finite), as a sentence; nothing when it is sound.
 std::optional<std::string> violation(const Tabular& table);
 
-/// Returns what is wrong with `wave` (a period that is not positive, anything not finite, a phase of
-/// more than 1e9).
+/// Returns what is wrong with `wave` (a period that is not positive, anything not finite, a phase
+/// of more than 1e9).
 std::optional<std::string> violation(const Wave& wave);
 
 /// Tells whether the table's times reach from the start of a step to its end at `duration`, apart

@@ -96,7 +96,8 @@ bool warn_of_two_units(yaml::Binder& binder, const yaml::At<CoefficientText>& co
       message += fmt::format(
           "; at the same {} at the radius {} mu is {:.4g} sliding and {:.4g} "
           "spinning",
-          where, with_unit(base::rounded_number(arm, 6), base::kLength), worst.sliding, worst.spinning);
+          where, with_unit(base::rounded_number(arm, 6), base::kLength), worst.sliding,
+          worst.spinning);
     }
   }
   binder.warning(*coefficient.node, coefficient.path, std::move(message),
