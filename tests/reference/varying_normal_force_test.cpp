@@ -96,10 +96,10 @@ TEST_CASE("a normal force in quadrature dissipates the printed energy a period")
 }
 
 TEST_CASE("fine pieces approach the loop of a normal force in quadrature") {
-  const int n = 20000;
+  const std::size_t n = 20000;
   std::vector<std::vector<double>> path;
-  for (int i = 0; i <= 3 * n; ++i) {
-    const double p = 2.0 * pi * i / n;
+  for (std::size_t i = 0; i <= 3 * n; ++i) {
+    const double p = 2.0 * pi * static_cast<double>(i) / static_cast<double>(n);
     path.push_back({0.1 * std::sin(p), 100.0 * (1.0 - 0.5 * std::cos(p))});
   }
   const auto rows = evaluate("varying_normal_force", kBaseParameters, path);
