@@ -3,7 +3,7 @@
 # coverage.sh: how many lines and branches of law/ and reference/ the tests run, and how many lines of what reads files (YAML,
 # cases, decks, tables): lines by gcovr, branches by scripts/branches.py, which says what counts as one. Contract checks are off,
 # and what is always inlined is not. Fails with less than 98 % of lines or 95 % of branches of law/ and reference/, or 95 % of
-# lines of the readers. Takes 75 minutes on two cores; law.txt, readers.txt and branches.txt in build/coverage list by file what was not run.
+# lines of the readers. Takes 45 to 75 minutes on two cores; law.txt, readers.txt and branches.txt in build/coverage list by file what was not run.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"

@@ -9,13 +9,13 @@
 #   properties  the properties of the law over random cases of other seeds every night                 1 min
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
 #   long        10^8 increments, a CSV of 2 GB, 100,000 cases, 1,000 definitions, a table of 10^6 rows; 3 GB of disk       10 min
-#   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             5 min
+#   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             6 min
 #   numbers     every number of the examples, decks and results as 13 that nobody means                       3 min
 #   torture     scripts/torture.sh                                                                   3 min
 #   packages    scripts/package.sh, and its packages in a minimal Debian and an empty root (as root)  10 min
 #   live        scripts/wasm.sh: the bench in a page; its rows beside the program's, and the page in a browser          a build
 #   compilers   results of g++ and clang 14 at -O1 and -O3, byte by byte                               30 min
-#   coverage    scripts/coverage.sh: lines and branches that the tests run                             75 min
+#   coverage    scripts/coverage.sh: lines and branches that the tests run                             45 to 75 min
 #   mutate      scripts/mutate.sh: which changes of the code no test sees, 600 others every night      45 min
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
