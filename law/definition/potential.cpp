@@ -7,18 +7,13 @@
 namespace slipbench::law {
 namespace {
 
-/// Returns |y| over the entries that a leaf has, in parts of the largest of them.
+/// Returns |y| over the entries that a leaf has, without their squares.
 double small_norm(const PotentialLeaf& leaf, const SlipVector& y) noexcept {
-  double largest = 0.0;
+  double norm = 0.0;
   for (std::size_t k = 0; k < y.size(); ++k) {
-    if (leaf.direction[k] != 0.0) largest = std::max(largest, std::abs(y[k]));
+    if (leaf.direction[k] != 0.0) norm = std::hypot(norm, y[k]);
   }
-  if (!(largest > 0.0)) return 0.0;
-  double square = 0.0;
-  for (std::size_t k = 0; k < y.size(); ++k) {
-    if (leaf.direction[k] != 0.0) square += (y[k] / largest) * (y[k] / largest);
-  }
-  return largest * std::sqrt(square);
+  return norm;
 }
 
 }  // namespace

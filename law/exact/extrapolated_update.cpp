@@ -349,7 +349,7 @@ class Pieces {
         to - tau_ < 1e-6) {
       return to;
     }
-    // What the limit leaves to the force; below 0 where it slips.
+    // Returns what the limit leaves to the force; below 0 where it slips.
     const auto holds = [&](double tau) {
       const SubIncrement there = steps_.step(at_, tau_, tau);
       return there.signature.regime == Regime::kSlip ? -1.0 : steps_.holds(there.end, tau);

@@ -354,6 +354,13 @@ TEST_CASE("a limit that wears faster than the spring lets the force jump, with i
   }
 }
 
+/// Returns the end of a way on which the temperature goes from 0 to 1 and the motion to 2.
+Waypoint warm_at_two() {
+  Waypoint end = at(2.0);
+  end.temperature = 1.0;
+  return end;
+}
+
 TEST_CASE("the steepest wear is told to the end of a piece, whatever steps come there") {
   // At the temperature T in [0, 1] F_int falls by 20 + 80 T per slip, up to a slip of 1.
   FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
@@ -366,9 +373,7 @@ TEST_CASE("the steepest wear is told to the end of a piece, whatever steps come 
     for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
       INFO("tolerance " << tolerance);
       ExactRun run(definition, {}, tolerance);
-      Waypoint end = at(2.0);
-      end.temperature = 1.0;
-      run.go(end);
+      run.go(warm_at_two());
       // At L = 1 the spring holds (480 - 80 T) / 2 = 1000 (s - 1), with T = s / 2: s = 1.24 / 1.02.
       CHECK(run.last.snap_back == Approx((10.0 + 20.0 * 1.24 / 1.02) / 1000.0).epsilon(1e-5));
     }
@@ -387,9 +392,7 @@ TEST_CASE("the steepest wear is told where it lies inside of a piece") {
   for (const Criterion& criterion : criteria_of_one()) {
     definition.criterion = criterion.of;
     ExactRun run(definition);
-    Waypoint end = at(2.0);
-    end.temperature = 1.0;
-    run.go(end);
+    run.go(warm_at_two());
     // A potential is looked at where its sub-increments end.
     const bool by_events = std::holds_alternative<EuclideanPotential>(criterion.of);
     CHECK(run.last.snap_back == Approx(0.03025).epsilon(by_events ? 1e-12 : 1e-2));
@@ -406,9 +409,7 @@ TEST_CASE("a contact that slip builds up opens all the same where time takes it"
   for (const Criterion& criterion : criteria_of_one()) {
     definition.criterion = criterion.of;
     ExactRun run(definition);
-    Waypoint end = at(2.0);
-    end.temperature = 1.0;
-    run.go(end);
+    run.go(warm_at_two());
     CHECK(run.last.converged);
     CHECK(run.state.regime == Regime::kOpen);
     CHECK(run.state.accumulated_slip == Approx(10.0 / 18.0).epsilon(1e-9));
