@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -32,6 +33,19 @@ void fill_closed_streams() {
     // The lowest free number is the closed stream's, since those below it are open by now.
     if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
   }
+}
+
+/// Stands before a word in brackets while it is parsed; no typed word has it, see fault_of_command.
+constexpr char kAsTyped = '\1';
+
+/// Returns the words of a command line, the last one first, as the library parses them. It would
+/// take "[a,b]" for two words; a file may be called so.
+std::vector<std::string> as_parsed(std::span<const std::string_view> words) {
+  std::vector<std::string> all(words.rbegin(), words.rend());
+  for (std::string& word : all) {
+    if (word.starts_with('[') && word.ends_with(']')) word.insert(word.begin(), kAsTyped);
+  }
+  return all;
 }
 
 int run(int argc, char** argv) {
@@ -72,6 +86,12 @@ int run(int argc, char** argv) {
         option->disable_flag_override();
         continue;
       }
+      // Nor is that of "--set=[a,b]"; only what stands without a name may be several words.
+      if (!option->get_positional()) option->allow_extra_args(false);
+      option->transform([](std::string word) {
+        if (word.starts_with(kAsTyped)) word.erase(word.begin());
+        return word;
+      });
       option->check([](const std::string& word) {
         return std::string(word.empty() ? "an empty text; is a variable of the shell not set?"
                                         : "");
@@ -83,7 +103,7 @@ int run(int argc, char** argv) {
     return base::kExitBadInput;
   }
   try {
-    app.parse(argc, argv);
+    app.parse(as_parsed(words));
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream err;
