@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "driver/base/files/exit_code.hpp"
+#include "driver/base/files/standard_input.hpp"
 #include "driver/base/files/work_crew.hpp"
 #include "driver/base/units/parameters.hpp"
 #include "driver/report/collect.hpp"
@@ -55,12 +56,13 @@ std::string github_root() {
   return root == nullptr ? "" : root;
 }
 
-/// The cases to run, in the order of the suite.
+/// The cases to run, in the order of the suite. One with a fault, such as a folder that cannot be
+/// searched, may hide some that are wanted.
 std::vector<suite::Candidate> chosen(const CheckOptions& options,
                                      const std::vector<suite::Candidate>& all) {
   std::vector<suite::Candidate> cases;
   std::copy_if(all.begin(), all.end(), std::back_inserter(cases), [&](const suite::Candidate& c) {
-    return suite::label_matches_any(c.label, options.filters);
+    return !c.fault.empty() || suite::label_matches_any(c.label, options.filters);
   });
   return cases;
 }
@@ -108,25 +110,24 @@ int check_command(const CheckOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const auto settings = base::parse_settings(options.settings);
   if (!settings) return terminal::refuse(base::kExitBadInput, settings.error());
-  const suite::Candidates found = suite::find_candidates(options.paths);
-  for (const std::string& fault : found.faults) terminal::refuse(base::kExitEnvironment, fault);
-  const int search_code = found.faults.empty() ? base::kExitOk : base::kExitEnvironment;
-  if (found.cases.empty()) {
-    return base::worse(search_code,
-                       terminal::refuse(base::kExitBadInput,
-                                        "no case (*.yaml, *.yml) found; nothing was checked"));
+  if (suite::names_folder(options.paths)) base::refuse_standard_input();
+  const std::vector<suite::Candidate> found =
+      suite::find_candidates(options.paths, options.allow_outside);
+  if (found.empty()) {
+    return terminal::refuse(base::kExitBadInput,
+                            "no case (*.yaml, *.yml) found; nothing was checked");
   }
   Told told;
-  if (found.cases.size() > 1) told.memory.emplace(options.paths);
-  const std::vector<suite::Candidate> in_order = chosen(options, found.cases);
+  if (found.size() > 1) told.memory.emplace(options.paths);
+  const std::vector<suite::Candidate> in_order = chosen(options, found);
   if (in_order.empty())
-    return terminal::refuse(base::kExitBadInput, nothing_matches(options, found.cases.size()));
+    return terminal::refuse(base::kExitBadInput, nothing_matches(options, found.size()));
   std::vector<std::size_t> places(in_order.size());  // in the suite, of the cases as they are run
   std::iota(places.begin(), places.end(), std::size_t{0});
   if (options.failed_first && told.memory) places = told.memory->order(in_order);
   const std::vector<suite::Candidate> cases = reordered(in_order, places);
   const suite::SuiteTargets targets{options.junit, options.json, options.report, options.force};
-  auto files = suite::SuiteFiles::create(targets, found.cases);
+  auto files = suite::SuiteFiles::create(targets, found);
   if (!files) return terminal::refuse(files.error().code, files.error().message);
 
   if (!options.junit.empty()) told.junit.emplace();
@@ -199,8 +200,8 @@ int check_command(const CheckOptions& options) {
     const std::string fault = told.summary->append_to(job_summary_file(), told.totals);
     if (!fault.empty()) terminal::print_error("slipbench: warning: " + fault + "\n");
   }
-  if (told.memory) told.memory->write(found.cases);
-  int code = base::worse(told.totals.code, search_code);
+  if (told.memory) told.memory->write(found);
+  int& code = told.totals.code;
   if (told.totals.checks == 0 && told.totals.no_checks > 0) {
     terminal::print_error(fmt::format("slipbench: {}: no case has a check; nothing was judged\n",
                                       options.strict ? "error" : "warning"));

@@ -14,6 +14,7 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/files/real_files.hpp"
+#include "driver/base/files/standard_input.hpp"
 #include "driver/base/files/work_crew.hpp"
 #include "driver/base/units/parameters.hpp"
 #include "driver/read/read_case.hpp"
@@ -43,14 +44,11 @@ bool names_result(const std::string& path) {
 }
 
 /// Results as they are given, cases as `check` finds them, in the order of the command line.
-std::vector<Source> find_sources(std::span<const std::string> inputs,
-                                 std::vector<std::string>& faults) {
+std::vector<Source> find_sources(std::span<const std::string> inputs, bool allow_outside) {
   std::vector<Source> sources;
   const auto add_cases = [&](std::span<const std::string> paths) {
-    suite::Candidates found = suite::find_candidates(paths);
-    for (suite::Candidate& candidate : found.cases)
+    for (suite::Candidate& candidate : suite::find_candidates(paths, allow_outside))
       sources.push_back({std::move(candidate), false});
-    faults.insert(faults.end(), found.faults.begin(), found.faults.end());
   };
   base::RealFiles real_files;
   std::set<std::string> results;   // a result counts once
@@ -109,13 +107,11 @@ int report_command(const ReportOptions& options) {
   if (!settings) return terminal::refuse(base::kExitBadInput, settings.error());
   if (options.output == "-")
     return terminal::refuse(base::kExitBadInput, "-o -: wanted the name of a file");
-  std::vector<std::string> faults;
-  const std::vector<Source> sources = find_sources(options.inputs, faults);
-  for (const std::string& fault : faults) terminal::refuse(base::kExitEnvironment, fault);
+  if (suite::names_folder(options.inputs)) base::refuse_standard_input();
+  const std::vector<Source> sources = find_sources(options.inputs, options.allow_outside);
   if (sources.empty()) {
-    terminal::refuse(base::kExitBadInput,
-                     "no case (*.yaml, *.yml) found; there is nothing to report");
-    return faults.empty() ? base::kExitBadInput : base::kExitEnvironment;
+    return terminal::refuse(base::kExitBadInput,
+                            "no case (*.yaml, *.yml) found; there is nothing to report");
   }
   std::optional<report::LiveBench> bench;
   if (options.live) {
@@ -136,7 +132,7 @@ int report_command(const ReportOptions& options) {
   std::vector<suite::Reading> readings(sources.size());
   std::vector<std::string> overwritten(sources.size());
   const auto read = [&](std::size_t place) {
-    readings[place] = suite::read_candidate(sources[place].candidate.path, read_options);
+    readings[place] = suite::read_candidate(sources[place].candidate, read_options);
     overwritten[place] = base::input_fault(options.output, readings[place].inputs());
   };
   const bool ahead = sources.size() <= suite::kReadAhead;
@@ -205,7 +201,12 @@ int report_command(const ReportOptions& options) {
   if (totals.not_run > 0) line += fmt::format(", {} not run", totals.not_run);
   terminal::print(line + ", " + report::size_text(*size) + "\n");
   // With nothing to look at, the reason counts; otherwise the page is what was asked for.
-  if (totals.not_run < totals.cases) return faults.empty() ? base::kExitOk : base::kExitEnvironment;
+  if (totals.not_run < totals.cases) {
+    const bool missed = std::any_of(sources.begin(), sources.end(), [](const Source& source) {
+      return !source.candidate.fault.empty();
+    });
+    return missed ? base::kExitEnvironment : base::kExitOk;
+  }
   int code = base::kExitOk;
   for (const int one : codes) code = base::worse(code, one);
   return code;

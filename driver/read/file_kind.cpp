@@ -8,6 +8,7 @@
 
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/source_text.hpp"
+#include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver::read {
 namespace {
@@ -36,6 +37,22 @@ std::optional<yaml::Node> key_among(const yaml::Node& root,
     if (std::find(names.begin(), names.end(), entry.key.text()) != names.end()) return entry.key;
   }
   return std::nullopt;
+}
+
+/// Tells whether a line begins with the word of a fit or a sweep and a colon, which costs less than
+/// parsing every case of a folder twice.
+bool may_name_other_kind(std::string_view text) {
+  for (const KindWords& one : kKinds) {
+    if (one.kind == FileKind::kCase) continue;
+    const std::string_view word = one.command;
+    for (std::size_t at = text.find(word); at != std::string_view::npos;
+         at = text.find(word, at + 1)) {
+      if (at > 0 && text[at - 1] != '\n') continue;
+      const std::size_t colon = text.find_first_not_of(" \t", at + word.size());
+      if (colon != std::string_view::npos && text[colon] == ':') return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -69,21 +86,11 @@ std::optional<OtherKind> other_kind(const yaml::Node& root, FileKind wanted) {
   return std::nullopt;
 }
 
-bool looks_like_no_case(const std::filesystem::path& file) {
+bool is_no_case(const std::filesystem::path& file) {
   const auto source = base::read_source(file.string());
-  if (!source) return false;
-  const std::string_view text = source->text();
-  for (const KindWords& one : kKinds) {
-    if (one.kind == FileKind::kCase) continue;
-    const std::string_view word = one.command;
-    for (std::size_t at = text.find(word); at != std::string_view::npos;
-         at = text.find(word, at + 1)) {
-      if (at > 0 && text[at - 1] != '\n') continue;
-      const std::size_t colon = text.find_first_not_of(" \t", at + word.size());
-      if (colon != std::string_view::npos && text[colon] == ':') return true;
-    }
-  }
-  return false;
+  if (!source || !may_name_other_kind(source->text())) return false;
+  const auto tree = yaml::parse_yaml(*source);
+  return tree && other_kind(tree->root(), FileKind::kCase);
 }
 
 }  // namespace slipbench::driver::read

@@ -34,9 +34,8 @@ struct OtherKind {
 };
 std::optional<OtherKind> other_kind(const yaml::Node& root, FileKind wanted);
 
-/// Tells whether a file says at the beginning of a line that it is a fit or a sweep (`calibrate:`,
-/// `sweep:`), which is known without parsing it. False for a file that cannot be read: reading it
-/// says why.
-bool looks_like_no_case(const std::filesystem::path& file);
+/// Tells whether a file is a fit or a sweep and nothing of a case. False for a file that cannot be
+/// read or parsed, and for one with keys of a case, too: reading it says what is wrong.
+bool is_no_case(const std::filesystem::path& file);
 
 }  // namespace slipbench::driver::read

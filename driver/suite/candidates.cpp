@@ -32,8 +32,12 @@ bool is_searched(const fs::path& folder) {
   return folder.filename() != "bad" && !is_hidden(folder);
 }
 
-/// Adds the paths of the cases below `top`, in no order.
-void search(const fs::path& top, std::vector<fs::path>& found, std::vector<std::string>& faults) {
+/// Returns the cases below `top`, in no order; those with a fault have no label of their own yet.
+std::vector<Candidate> search(const fs::path& top, bool allow_outside) {
+  std::vector<Candidate> found;
+  const auto leads_out = [&](const fs::path& link) {
+    return !base::resolve_data_path(top, link.lexically_relative(top).string(), allow_outside);
+  };
   std::vector<fs::path> folders = {top};
   while (!folders.empty()) {
     const fs::path folder = std::move(folders.back());
@@ -41,21 +45,30 @@ void search(const fs::path& top, std::vector<fs::path>& found, std::vector<std::
     std::error_code error;
     for (fs::directory_iterator it(folder, error); !error && it != fs::directory_iterator();
          it.increment(error)) {
+      const fs::path& path = it->path();
       std::error_code ignored;
-      if (it->is_directory(ignored)) {
-        if (!it->is_symlink(ignored) && is_searched(it->path())) folders.push_back(it->path());
-      } else if (read::has_case_ending(it->path()) && !is_hidden(it->path())) {
-        const fs::path below = it->path().lexically_relative(top);
-        if (it->is_symlink(ignored) && !base::resolve_data_path(top, below.string())) {
-          faults.push_back(it->path().string() +
-                           ": is a link out of the folder; name the file itself to have it run");
-          continue;
-        }
-        found.push_back(it->path());
+      const bool is_folder = it->is_directory(ignored);
+      const bool is_link = it->is_symlink(ignored);
+      if (is_folder ? !is_searched(path) : !read::has_case_ending(path) || is_hidden(path)) {
+        continue;
+      }
+      if (is_link && leads_out(path)) {
+        found.push_back({path.string(),
+                         {},
+                         is_folder
+                             ? "is a link out of the folder and not searched; name it to have its "
+                               "cases run, or give --allow-outside if it holds their data"
+                             : "is a link out of the folder; name the file itself to have "
+                               "it run"});
+      } else if (is_folder) {
+        if (!is_link) folders.push_back(path);
+      } else if (!read::is_no_case(path)) {
+        found.push_back({path.string(), {}});
       }
     }
-    if (error) faults.push_back(folder.string() + ": " + error.message());
+    if (error) found.push_back({folder.string(), {}, "cannot be searched: " + error.message()});
   }
+  return found;
 }
 
 /// Keeps the first of several that are the same file.
@@ -69,28 +82,31 @@ void remove_repeated(std::vector<Candidate>& cases) {
 
 }  // namespace
 
-Candidates find_candidates(std::span<const std::string> paths) {
-  Candidates all;
+bool names_folder(std::span<const std::string> paths) {
+  return std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
+    std::error_code ignored;
+    return fs::is_directory(path, ignored);
+  });
+}
+
+std::vector<Candidate> find_candidates(std::span<const std::string> paths, bool allow_outside) {
+  std::vector<Candidate> all;
   for (const std::string& path : paths) {
     std::error_code ignored;
     if (!fs::is_directory(path, ignored)) {
-      all.cases.push_back({path, label_of(path)});
+      all.push_back({path, label_of(path)});
       continue;
     }
-    std::vector<fs::path> files;
-    search(path, files, all.faults);
-    std::vector<Candidate> found;
-    for (const fs::path& file : files) {
-      if (read::looks_like_no_case(file)) continue;
-      const fs::path shown = paths.size() == 1 ? file.lexically_relative(path) : file;
-      found.push_back({file.string(), label_of(shown)});
+    std::vector<Candidate> found = search(path, allow_outside);
+    for (Candidate& one : found) {
+      const fs::path file = one.path;
+      one.label = label_of(paths.size() == 1 ? file.lexically_relative(path) : file);
     }
     std::sort(found.begin(), found.end(),
               [](const Candidate& a, const Candidate& b) { return a.label < b.label; });
-    std::move(found.begin(), found.end(), std::back_inserter(all.cases));
+    std::move(found.begin(), found.end(), std::back_inserter(all));
   }
-  if (paths.size() > 1) remove_repeated(all.cases);
-  std::sort(all.faults.begin(), all.faults.end());
+  if (paths.size() > 1) remove_repeated(all);
   return all;
 }
 

@@ -40,9 +40,9 @@ CaseOutcome failure(const std::string& path, int code, const char* kind,
                     const std::string& message) {
   CaseOutcome outcome;
   outcome.code = code;
-  outcome.fault = {path, {}, message};
+  outcome.fault = {path, {}, base::printable(message)};
   outcome.messages =
-      fmt::format("{}: {}: {}\n", base::printable(path), kind, base::printable(message));
+      fmt::format("{}: {}: {}\n", base::printable(path), kind, outcome.fault.message);
   return outcome;
 }
 
@@ -74,7 +74,8 @@ CaseOutcome refused(const std::string& path, const read::ReadCase& read) {
     outcome.fault = {path, {}, "cannot be read"};
     return outcome;
   }
-  outcome.fault = {first->file.empty() ? path : first->file, first->where, base::one_line(*first)};
+  outcome.fault = {first->file.empty() ? path : first->file, first->where,
+                   base::printable(base::one_line(*first))};
   return outcome;
 }
 
@@ -136,7 +137,7 @@ CaseOutcome run_and_judge(const read::ReadCase& read, const std::string& label,
   if (!ended) {
     outcome.code = bench::exit_code(ended.error());
     outcome.messages = bench::failure_text(problem, ended.error());
-    outcome.fault = {problem.file, {}, ended.error().message};
+    outcome.fault = {problem.file, {}, base::printable(ended.error().message)};
     return outcome;
   }
   outcome.kind = checks.empty() ? CaseOutcome::Kind::kNoChecks : CaseOutcome::Kind::kPassed;
@@ -163,7 +164,7 @@ CaseOutcome run_and_judge(const read::ReadCase& read, const std::string& label,
   if (collector) {
     report::CaseReport report = collector->finish(label, checks, *ended);
     report::add_remarks(report, read.diagnostics);
-    report.run.text = read.sources.front().text();
+    report.run.text = base::printable_lines(read.sources.front().text());
     options.report(std::move(report));
   }
   return outcome;
@@ -177,7 +178,7 @@ void report_fault(const Candidate& candidate, const Reading& reading, const Case
   report::CaseReport report = report::not_run_report(
       candidate.label, read ? reading.read->value->title : "", outcome.messages);
   if (reading.read && !reading.read->sources.empty()) {
-    report.run.text = reading.read->sources.front().text();
+    report.run.text = base::printable_lines(reading.read->sources.front().text());
   }
   options.report(std::move(report));
 }
@@ -202,10 +203,13 @@ std::vector<std::string> Reading::inputs() const {
   return files;
 }
 
-Reading read_candidate(const std::string& path, const read::ReadOptions& options) {
+Reading read_candidate(const Candidate& candidate, const read::ReadOptions& options) {
   const auto start = Clock::now();
+  const std::string& path = candidate.path;
   Reading reading;
-  if (auto read = guarded(path, [&] { return read::read_case(path, options); })) {
+  if (!candidate.fault.empty()) {
+    reading.failure = failure(path, base::kExitEnvironment, "error", candidate.fault);
+  } else if (auto read = guarded(path, [&] { return read::read_case(path, options); })) {
     reading.read = std::move(*read);
   } else {
     reading.failure = std::move(read.error());

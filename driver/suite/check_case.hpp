@@ -38,9 +38,9 @@ struct CheckCaseOptions {
   unsigned threads = 1;  ///< a second one reads the curves that the case is compared with
 };
 
-/// Reads a case. Nothing is thrown: a case that needs more memory than there is, or that trips
-/// over a bug, is a failure like any other.
-Reading read_candidate(const std::string& path, const read::ReadOptions& options);
+/// Reads a case, unless it has a fault. Nothing is thrown: a case that needs more memory than there
+/// is, or that trips over a bug, is a failure like any other.
+Reading read_candidate(const Candidate& candidate, const read::ReadOptions& options);
 
 /// Runs a case that was read and judges its checks. Nothing is thrown, as above. Nothing is
 /// returned for a case that was given up.

@@ -87,7 +87,7 @@ std::vector<Reading> read_suite(std::span<const Candidate> cases, const SuiteOpt
   std::vector<Reading> readings(cases.size());
   terminal::SharedProgress progress("cases read", cases.size());
   base::for_each_index(cases.size(), options.threads, [&](std::size_t i) {
-    readings[i] = read_candidate(cases[i].path, options.read);
+    readings[i] = read_candidate(cases[i], options.read);
     progress.done();
   });
   return readings;
@@ -108,7 +108,7 @@ void run_suite(std::span<const Candidate> cases, std::vector<Reading> readings,
       return order.is_past_end(i);
     };
     // A reading is dropped as soon as its case is done.
-    const Reading reading = readings.empty() ? read_candidate(cases[i].path, options.read)
+    const Reading reading = readings.empty() ? read_candidate(cases[i], options.read)
                                              : std::exchange(readings[i], Reading{});
     CheckCaseOptions one{options.keep_passing, stopped, {}};
     one.strict = options.strict;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/json.hpp"
 #include "driver/results/provenance.hpp"
 
@@ -18,7 +19,7 @@ base::FileMark SuiteJson::mark() { return {"a JSON file of 'slipbench check'", k
 
 void SuiteJson::add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome) {
   base::json::Value one;
-  one["case"] = candidate.label;
+  one["case"] = base::printable(candidate.label);
   one["file"] = candidate.path;
   one["status"] = word_for(outcome.kind);
   one["exit_code"] = outcome.code;

@@ -3,15 +3,13 @@
 
 #include <cstdint>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/utf8.hpp"
 
 namespace slipbench::driver::suite {
 namespace {
 
-bool is_xml_character(std::uint32_t c) {
-  if (c < 0x20) return c == '\t' || c == '\n' || c == '\r';
-  return c != 0xFFFE && c != 0xFFFF;
-}
+bool is_xml_character(std::uint32_t c) { return c >= 0x20 || c == '\t' || c == '\n' || c == '\r'; }
 
 std::string escaped(std::string_view text, bool attribute) {
   std::string result;
@@ -20,7 +18,9 @@ std::string escaped(std::string_view text, bool attribute) {
     const base::CodePoint c = base::decode_utf8(text);
     const std::string_view piece = text.substr(0, c.length);
     text.remove_prefix(c.length);
-    if (!c.valid || !is_xml_character(c.value)) {
+    // XML has room for what turns the direction of writing; who reads it has a terminal, too.
+    const bool harmful = c.value >= 0x7F && base::printable(piece) != piece;
+    if (!c.valid || harmful || !is_xml_character(c.value)) {
       result += "\xEF\xBF\xBD";
     } else if (c.value == '<') {
       result += "&lt;";

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fits and closed forms.
+// Suites of cases, fits and closed forms.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "driver/calibrate/calibrate.hpp"
 #include "driver/calibrate/calibrated_case.hpp"
@@ -13,6 +14,7 @@
 #include "driver/calibrate/fit_summary.hpp"
 #include "driver/calibrate/fit_text.hpp"
 #include "driver/calibrate/read_fit.hpp"
+#include "driver/suite/candidates.hpp"
 #include "python/native/bindings.hpp"
 #include "reference/catalogue.hpp"
 
@@ -64,6 +66,16 @@ py::dict calibrated(const std::string& path, const std::map<std::string, double>
   }
   result["cases"] = cases;
   return result;
+}
+
+/// Returns path and fault of each case that `slipbench check` finds; the fault is mostly empty.
+std::vector<std::pair<std::string, std::string>> found_cases(const std::vector<std::string>& paths,
+                                                             bool allow_outside) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (auto& one : driver::suite::find_candidates(paths, allow_outside)) {
+    all.emplace_back(std::move(one.path), std::move(one.fault));
+  }
+  return all;
 }
 
 py::dict described(const reference::ClosedForm& form) {
@@ -135,6 +147,7 @@ py::array_t<double> evaluated(
 }  // namespace
 
 void bind_tools(py::module_& module) {
+  module.def("find_cases", found_cases, py::arg("paths"), py::arg("allow_outside"));
   module.def("calibrate", calibrated, py::arg("path"), py::arg("values"), py::arg("bootstrap"),
              py::arg("profile"), py::arg("threads"), py::arg("allow_outside"));
   module.def("closed_forms", [] {

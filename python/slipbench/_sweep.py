@@ -4,7 +4,6 @@ import collections.abc
 import concurrent.futures
 import json
 import os
-import pathlib
 from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Union
 
 from . import _native
@@ -120,28 +119,16 @@ class Checked(NamedTuple):
 
 
 def check(*paths: Union[str, "os.PathLike[str]"], allow_outside: bool = False) -> List[Checked]:
-    """Runs cases and folders of cases and judges their checks, as `slipbench check` does. Folders named bad are not searched, links
-    out of a folder not followed unless allow_outside. A case without checks does not pass on nothing: it passes if it runs, and has no
+    """Runs cases and folders of cases and judges their checks, as `slipbench check` does: it finds the same ones. A link out of a
+    folder is not followed unless allow_outside, and does not pass. A case without checks does not pass on nothing: it passes if it runs, and has no
     verdicts to show."""
-    files: List[pathlib.Path] = []
     results = []
-    for path in map(pathlib.Path, paths or (".",)):
-        if not path.is_dir():
-            files.append(path)
-            continue
-        for file in sorted(one for one in path.rglob("*.yaml") if "bad" not in one.relative_to(path).parts):
-            if allow_outside or file.resolve().is_relative_to(path.resolve()):
-                files.append(file)
-            else:
-                results.append(Checked(str(file), False, [], f"{file}: is a link out of the folder"))
-    for file in files:
-        # Of a pipe nothing is read here: load() refuses it.
-        text = file.read_text(errors="replace") if file.is_file() else ""
-        if any(line.startswith(("calibrate:", "sweep:")) for line in text.splitlines()):
-            continue
+    for file, fault in _native.find_cases([os.fspath(path) for path in paths or (".",)], allow_outside):
         try:
+            if fault:
+                raise SlipbenchError(f"{file}: {fault}")
             run = load(file, allow_outside=allow_outside).run()
-            results.append(Checked(str(file), run.passed, run.checks, ""))
+            results.append(Checked(file, run.passed, run.checks, ""))
         except SlipbenchError as error:
-            results.append(Checked(str(file), False, [], str(error)))
+            results.append(Checked(file, False, [], str(error)))
     return results

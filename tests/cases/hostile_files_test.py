@@ -442,7 +442,7 @@ Rmu       0.3
         (self.folder / "suite/link.yaml").symlink_to("../private.yaml")
         for words in (("check", "suite", "--report", "page.html"), ("report", "suite", "-o", "page.html", "--force")):
             said = self.run_tool(*words, code=4)
-            self.assertIn("link.yaml: is a link out of the folder", said)
+            self.assertIn("link.yaml: error: is a link out of the folder", said)
             if (self.folder / "page.html").exists():
                 self.assertNotIn("Private", (self.folder / "page.html").read_text())
 

@@ -37,20 +37,24 @@ TEST_CASE("A case and a fit file are told by their keys") {
   CHECK_FALSE(key_of(both.root(), FileKind::kCase).has_value());
 }
 
-TEST_CASE("A fit or sweep file is known by a line of its own, without being sound") {
+TEST_CASE("A fit or sweep file is no case if nothing of a case is in it, and if it can be parsed") {
   const TemporaryFolder folder;
-  const auto looks = [&](const std::string& text) {
-    return looks_like_no_case(folder.write("f.yaml", text));
+  const auto no_case = [&](const std::string& text) {
+    return is_no_case(folder.write("f.yaml", text));
   };
-  CHECK(looks("calibrate:\n  vary: [\n"));
-  CHECK(looks("slipbench: 1\r\ncalibrate : {}\r\n"));
-  CHECK_FALSE(looks("title: calibrate: it\n# calibrate:\n  calibrate: 1\n"));
-  CHECK(looks("slipbench: 1\nsweep:\n  case: a.yaml\n"));
-  CHECK_FALSE(looks("calibrated: true\n"));
-  CHECK_FALSE(looks("calibrate"));
-  CHECK_FALSE(looks(""));
-  CHECK_FALSE(looks_like_no_case(folder.path() / "missing.yaml"));
-  CHECK_FALSE(looks_like_no_case(folder.path()));
+  CHECK(no_case("slipbench: 1\r\ncalibrate : {}\r\n"));
+  CHECK(no_case("slipbench: 1\nsweep:\n  case: a.yaml\n"));
+  CHECK_FALSE(no_case("title: calibrate: it\n# calibrate:\n  calibrate: 1\n"));
+  CHECK_FALSE(no_case("calibrated: true\n"));
+  CHECK_FALSE(no_case("calibrate"));
+  CHECK_FALSE(no_case(""));
+  // A case that would fail must not be passed by for a line of something else in it.
+  CHECK_FALSE(no_case("history: []\nsweep: {}\n"));
+  CHECK_FALSE(no_case("calibrate:\n  vary: [\n"));
+  CHECK_FALSE(no_case("history: []\n...\nsweep: {}\n"));
+  CHECK_FALSE(no_case("history: []\ntitle: \"\nsweep: {}\n"));
+  CHECK_FALSE(is_no_case(folder.path() / "missing.yaml"));
+  CHECK_FALSE(is_no_case(folder.path()));
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> labels(const Candidates& found) {
+std::vector<std::string> labels(const std::vector<Candidate>& found) {
   std::vector<std::string> all;
-  for (const Candidate& candidate : found.cases) all.push_back(candidate.label);
+  for (const Candidate& candidate : found) all.push_back(candidate.label);
   return all;
 }
 
@@ -32,26 +32,36 @@ TEST_CASE(
   }
   // The lock of an editor, beside the case that is being edited.
   fs::create_symlink("user@machine.1234", folder.path() / ".#top.yaml");
-  const Candidates found = find_candidates(std::vector{folder.path().string()});
+  const std::vector<Candidate> found = find_candidates(std::vector{folder.path().string()});
   CHECK(labels(found) ==
         std::vector<std::string>{"a/z", "b/deep/two", "b/one", "only.yml", "top", "top.yml"});
-  CHECK(found.cases[0].path == (folder.path() / "a/z.yaml").string());
-  CHECK(found.faults.empty());
+  CHECK(found[0].path == (folder.path() / "a/z.yaml").string());
+  for (const Candidate& one : found) CHECK(one.fault.empty());
 }
 
-TEST_CASE("a link out of the folder is told and not followed; one within it is a case") {
+TEST_CASE("a link out of the folder has a fault; one within it is a case, or searched anyway") {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "suite/b");
+  fs::create_directories(folder.path() / "shared");
   folder.write("private.yaml", "");
+  folder.write("shared/other.yaml", "");
   folder.write("suite/b/one.yaml", "");
   fs::create_symlink("../private.yaml", folder.path() / "suite/out.yaml");
   fs::create_symlink("b/one.yaml", folder.path() / "suite/in.yaml");
-  const Candidates found = find_candidates(std::vector{(folder.path() / "suite").string()});
-  CHECK(labels(found) == std::vector<std::string>{"b/one", "in"});
-  REQUIRE(found.faults.size() == 1);
-  CHECK(found.faults[0] ==
-        (folder.path() / "suite/out.yaml").string() +
-            ": is a link out of the folder; name the file itself to have it run");
+  fs::create_directory_symlink("../shared", folder.path() / "suite/shared");
+  fs::create_directory_symlink("b", folder.path() / "suite/same");
+  const std::string suite = (folder.path() / "suite").string();
+  const std::vector<Candidate> found = find_candidates(std::vector{suite});
+  CHECK(labels(found) == std::vector<std::string>{"b/one", "in", "out", "shared"});
+  CHECK(found[1].fault.empty());
+  CHECK(found[2].fault == "is a link out of the folder; name the file itself to have it run");
+  CHECK(found[3].path == suite + "/shared");
+  CHECK(found[3].fault ==
+        "is a link out of the folder and not searched; name it to have its cases run, or give "
+        "--allow-outside if it holds their data");
+  const std::vector<Candidate> all = find_candidates(std::vector{suite}, true);
+  CHECK(labels(all) == std::vector<std::string>{"b/one", "in", "out"});
+  CHECK(all[2].fault.empty());
 }
 
 TEST_CASE("fit files of a folder are not cases, whatever else speaks of calibration is") {
@@ -59,19 +69,19 @@ TEST_CASE("fit files of a folder are not cases, whatever else speaks of calibrat
   folder.write("case.yaml", "# calibrate:\ntitle: calibrate: me\nfriction: []\n");
   folder.write("fit.yaml", "slipbench: 1\ncalibrate:\n  vary: {mu: {}}\n");
   folder.write("flat.yaml", "calibrate : {}\n");
-  const Candidates found = find_candidates(std::vector{folder.path().string()});
+  const std::vector<Candidate> found = find_candidates(std::vector{folder.path().string()});
   CHECK(labels(found) == std::vector<std::string>{"case"});
   // One that is named is asked for: the reader says which command is meant.
   const std::string fit = (folder.path() / "fit.yaml").string();
-  CHECK(find_candidates(std::vector{fit}).cases.size() == 1);
+  CHECK(find_candidates(std::vector{fit}).size() == 1);
 }
 
 TEST_CASE("a file is a case whatever its name and whether it is there or not") {
   const TemporaryFolder folder;
   const std::string missing = (folder.path() / "missing.yml").string();
-  const Candidates found = find_candidates(std::vector{missing});
-  REQUIRE(found.cases.size() == 1);
-  CHECK(found.cases[0].path == missing);
+  const std::vector<Candidate> found = find_candidates(std::vector{missing});
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].path == missing);
 }
 
 TEST_CASE("with several paths the labels keep them, and no case comes twice") {
@@ -80,7 +90,8 @@ TEST_CASE("with several paths the labels keep them, and no case comes twice") {
   folder.write("a/one.yaml", "");
   folder.write("a/two.yaml", "");
   const std::string a = (folder.path() / "a").string();
-  const Candidates found = find_candidates(std::vector{a + "/two.yaml", a, a + "/../a/one.yaml"});
+  const std::vector<Candidate> found =
+      find_candidates(std::vector{a + "/two.yaml", a, a + "/../a/one.yaml"});
   CHECK(labels(found) == std::vector{a + "/two", a + "/one"});
 }
 
@@ -120,7 +131,7 @@ TEST_CASE("links between folders do not lead in circles") {
         std::vector<std::string>{"a/one"});
 }
 
-TEST_CASE("a folder that cannot be searched is a fault and does not hide the others") {
+TEST_CASE("a folder that cannot be searched has a fault and does not hide the others") {
   if (geteuid() == 0) {
     WARN("a superuser may read everything; nothing was tested");
     return;
@@ -129,11 +140,10 @@ TEST_CASE("a folder that cannot be searched is a fault and does not hide the oth
   fs::create_directory(folder.path() / "closed");
   folder.write("open.yaml", "");
   fs::permissions(folder.path() / "closed", fs::perms::none);
-  const Candidates found = find_candidates(std::vector{folder.path().string()});
+  const std::vector<Candidate> found = find_candidates(std::vector{folder.path().string()});
   fs::permissions(folder.path() / "closed", fs::perms::owner_all);
-  CHECK(labels(found) == std::vector<std::string>{"open"});
-  REQUIRE(found.faults.size() == 1);
-  CHECK(found.faults[0] == (folder.path() / "closed").string() + ": Permission denied");
+  CHECK(labels(found) == std::vector<std::string>{"closed", "open"});
+  CHECK(found[0].fault == "cannot be searched: Permission denied");
 }
 
 }  // namespace
