@@ -10,6 +10,7 @@
 #include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/csv/printed_digits.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/number.hpp"
 #include "driver/base/text/suggestions.hpp"
 
 namespace slipbench::driver::cases {
@@ -25,6 +26,18 @@ std::string told(const base::HistoryError& error) {
 
 bool has(std::span<const std::string> names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Returns how many rows a golden curve had when it was blessed, if it says so.
+std::optional<long long> blessed_rows(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  for (std::string line; stream.peek() == '#' && std::getline(stream, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.starts_with(kGoldenRows)) {
+      return base::parse_integer(std::string_view(line).substr(kGoldenRows.size())).value_or(-1);
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -88,6 +101,15 @@ CurveFile::Contents CurveFile::read() const {
     if (columns.front().size() == kSample) {
       for (auto& column : columns) column.reserve(kSample * size / bytes);
     }
+  }
+  const auto rows = static_cast<long long>(columns.front().size());
+  if (const auto blessed = found.golden ? blessed_rows(source_.file) : std::nullopt;
+      blessed && *blessed != rows) {
+    found.fault = fmt::format(
+        "{}: has {} rows, and {} were blessed: it is cut off or edited; restore it, or bless the "
+        "case again",
+        source_.shown_name, rows, *blessed);
+    return found;
   }
   for (std::size_t i = 0; i < count; ++i) {
     Column& column = found.columns.emplace_back();

@@ -18,6 +18,8 @@ namespace slipbench::driver::cases {
 
 /// The first line of a golden curve.
 inline constexpr std::string_view kGoldenMark = "# slipbench golden curve";
+/// The comment of a golden curve before the number of its rows. Older ones have none.
+inline constexpr std::string_view kGoldenRows = "# rows: ";
 /// The column of a golden curve that holds the total time; every one has it.
 inline constexpr std::string_view kGoldenTime = "time";
 std::span<const std::string> golden_time_names();

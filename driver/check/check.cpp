@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/bench/run_length.hpp"
 #include "driver/check/curves/curve_series.hpp"
 #include "driver/check/kept_rows.hpp"
@@ -163,6 +164,7 @@ Verdict CheckProgress::verdict() const {
   } else if (!streamed_) {
     judge_rows(*check_, labels, kept_rows(), result);
   }
+  result.message = base::printable(result.message);  // it may quote a file
   result.passed = result.message.empty();
   return result;
 }

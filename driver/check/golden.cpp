@@ -185,6 +185,7 @@ GoldenHeader golden_header(const cases::Case& problem, const GoldenCurve& curve,
                            in_one_line(column.name), column.unit);
   }
   header.origin.push_back(std::move(columns));
+  header.origin.push_back(fmt::format("{}{}", cases::kGoldenRows, curve.rows));
   header.blessings.push_back(
       fmt::format("{}{}: {}", kBlessed, date_of_blessing(), in_one_line(reason)));
   for (const std::string& blessing : before.blessings) {
@@ -234,6 +235,7 @@ tl::expected<void, std::string> append_golden_row(GoldenCurve& curve, const benc
     text += ',';
   }
   text.back() = '\n';
+  ++curve.rows;
   return {};
 }
 

@@ -2,6 +2,7 @@
 // Golden curves: a case's own past as the reference of its checks.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -32,6 +33,7 @@ struct GoldenCurve {
   std::string shown_name;
   std::vector<GoldenColumn> columns = {};
   std::vector<std::size_t> checks = {};  ///< of the case
+  std::int64_t rows = 0;                 ///< appended so far
 };
 
 /// The curves that `slipbench bless` may write: those of the case's checks that are missing or
@@ -41,7 +43,7 @@ tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const cases::C
 
 /// Head above the numbers. Of blessings, the latest comes first.
 struct GoldenHeader {
-  std::vector<std::string> origin;     ///< lines on program, case, units, parameters and columns
+  std::vector<std::string> origin;     ///< lines on program, case, units, parameters, columns and rows
   std::vector<std::string> blessings;  ///< "# blessed: new liner" or "# blessed 2026-01-31: .."
 };
 
@@ -52,7 +54,7 @@ GoldenHeader read_golden_header(const std::filesystem::path& file);
 /// behind its comments; a file that is cut off has others.
 bool has_golden_rows(const std::filesystem::path& file, std::string_view rows);
 
-/// That of a curve which is about to be written. The date of a blessing is that of
+/// That of a curve whose rows are all appended and which is about to be written. The date of a blessing is that of
 /// SOURCE_DATE_EPOCH, or none: the same input gives the same bytes. At most 20 blessings are kept.
 GoldenHeader golden_header(const cases::Case& problem, const GoldenCurve& curve,
                            std::string_view reason, const GoldenHeader& before);

@@ -41,6 +41,12 @@ std::vector<std::string> tolerance_doubts(const cases::Tolerance& tolerance,
   if (!std::isfinite(bound) || !std::isfinite(use.scale) || !std::isfinite(use.worst))
     return doubts;
 
+  if (tolerance.relative.value_or(0.0) >= 1.0) {
+    doubts.push_back(fmt::format(
+        "'relative: {0:.9g}' allows {0:.9g} times the reference itself; 5 % is 'relative: 0.05'",
+        *tolerance.relative));
+    return doubts;
+  }
   const double digits = use.resolution && std::isfinite(*use.resolution) ? *use.resolution : 0.0;
   const double enough = std::max(kHeadroom * use.worst, kTightEnough * use.scale);
   if (use.scale > 0.0 && bound > kTightEnough * use.scale && use.worst * kLoose < bound &&
@@ -97,8 +103,15 @@ std::string coverage_doubt(const Series& result, const Series& reference, std::i
   const CommonRange common = common_range(result, reference);
   if (!common.fault.empty()) return {};
   const Interval theirs = extent(reference.abscissa);
+  const Interval ours = extent(result.abscissa);
   const auto rows = static_cast<std::int64_t>(reference.size());
-  if (2 * compared >= rows && 2.0 * common.interval.width() >= theirs.width()) return {};
+  if (2 * compared >= rows && 2.0 * common.interval.width() >= theirs.width()) {
+    if (2.0 * common.interval.width() >= ours.width()) return {};
+    return fmt::format(
+        "the reference goes from {:.4g} to {:.4g} only, and the run from {:.4g} to {:.4g}; select "
+        "with 'over' what is meant",
+        theirs.from, theirs.to, ours.from, ours.to);
+  }
   return fmt::format(
       "only {} of the reference's {} rows were compared, from {:.4g} to {:.4g}, while it goes from "
       "{:.4g} to {:.4g}; select with 'over' what is meant",

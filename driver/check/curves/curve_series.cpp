@@ -61,6 +61,23 @@ void select(Series& series, const cases::SharedNumbers& times, const Interval& s
 
 bool selects_rows(const cases::Check& check) { return check.step || check.from || check.to; }
 
+/// Returns why a golden curve over these times is not that of rows from `run.from` to `run.to`, in
+/// a sentence, or nothing: the rest of either would not be compared with anything.
+std::string not_of_run(const std::string& name, const cases::SharedNumbers& times,
+                       const Interval& run, bool selected) {
+  const Interval golden = times.empty() ? Interval{} : extent(times);
+  const double slack = history::kSameTime * std::max({std::abs(golden.from), std::abs(golden.to),
+                                                      std::abs(run.from), std::abs(run.to)});
+  const bool covers = golden.from <= run.from + slack && golden.to >= run.to - slack;
+  const bool ends = golden.from >= run.from - slack && golden.to <= run.to + slack;
+  if (covers && (ends || selected)) return {};
+  return fmt::format(
+      "{}: goes from t = {:.9g} to {:.9g}, and the rows that are compared from {:.9g} to {:.9g}: "
+      "it is cut off, or the history is another one than when it was blessed; if that is right, "
+      "bless the case",
+      name, golden.from, golden.to, run.from, run.to);
+}
+
 /// The file that the reader shared out, or one for a check that was built by hand.
 std::shared_ptr<const cases::CurveFile> file_of(const cases::Check& check,
                                                 const cases::CurveReference& reference) {
@@ -77,7 +94,7 @@ void want_columns(cases::CurveFile& file, const cases::Check& check) {
   const auto& reference = std::get<cases::CurveReference>(check.against);
   file.want(reference.abscissa.names);
   file.want(reference.column.names);
-  if (check.abscissa && selects_rows(check)) file.want(cases::golden_time_names());
+  if (check.abscissa) file.want(cases::golden_time_names());
 }
 
 tl::expected<ReferenceCurve, std::string> reference_curve(const cases::Check& check,
@@ -121,15 +138,22 @@ tl::expected<ReferenceCurve, std::string> reference_curve(const cases::Check& ch
 
   const std::size_t rows = series.size();
   const double infinity = std::numeric_limits<double>::infinity();
+  if (curve.golden && !result.time.empty()) {
+    const Interval run{result.time.front(), result.time.back()};
+    cases::SharedNumbers times = series.abscissa;
+    if (check.abscissa) {
+      const auto column = file->column(cases::golden_time_names());
+      if (!column) return tl::unexpected(column.error());
+      times = (*column)->values;
+    }
+    std::string fault = not_of_run(reference.shown_name, times, run, selects_rows(check));
+    if (!fault.empty()) return tl::unexpected(std::move(fault));
+    if (selects_rows(check) && check.abscissa) select(series, times, run, check.criterion);
+  }
   if (!check.abscissa && (check.from || check.to)) {
     const cases::SharedNumbers times = series.abscissa;
     select(series, times, {check.from.value_or(-infinity), check.to.value_or(infinity)},
            check.criterion);
-  }
-  if (selects_rows(check) && check.abscissa && !result.time.empty() && curve.golden) {
-    const auto times = file->column(cases::golden_time_names());
-    if (!times) return tl::unexpected(times.error());
-    select(series, (*times)->values, {result.time.front(), result.time.back()}, check.criterion);
   }
   if (series.size() == 0) {
     return tl::unexpected(fmt::format("{}: no row of it was compared", reference.shown_name));

@@ -23,8 +23,9 @@ struct ReferenceCurve {
 /// between rows, but for a pointwise check, which compares the rows within.
 ///
 /// Errors, in a sentence: a file that cannot be read or is faulty, a column it does not have, a
-/// number that the change of unit makes infinite, no row left, a single row left of several while
-/// the result has several.
+/// golden curve that is not over the times of `result` (it may go on before and behind what the
+/// check selects), a number that the change of unit makes infinite, no row left, a single row left
+/// of several while the result has several.
 tl::expected<ReferenceCurve, std::string> reference_curve(const cases::Check& check,
                                                           const Series& result);
 

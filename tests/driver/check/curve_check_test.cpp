@@ -277,7 +277,9 @@ TEST_CASE("a check judged row by row keeps a trace only if it is told to") {
 TEST_CASE("digits that a curve does not have are doubted, whether the check fails by them or not") {
   const TemporaryFolder folder;
   const auto verdict = [&](const std::string& bytes, double tolerance) {
-    return verdict_of(loop(), curve_check(folder.write("a.csv", bytes), {tolerance, {}, ""}));
+    cases::Check check = curve_check(folder.write("a.csv", bytes), {tolerance, {}, ""});
+    check.to = 1.0;
+    return verdict_of(loop(), check);
   };
   // 6.99961 N at that time, printed with four decimals: half a unit is 5e-5 N.
   const std::string rounded = "time,F\n0,0\n0.0699961,6.9996\n1,20.0000\n";
@@ -390,8 +392,9 @@ TEST_CASE("a row that fails beside exact numbers is not blamed on their digits")
   const TemporaryFolder folder;
   std::string rows = "time,F\n";
   for (int i = 0; i <= 10; ++i) rows += fmt::format("{:.2g},{}\n", 0.02 * i, i == 7 ? 15 : 2 * i);
-  const Verdict verdict =
-      verdict_of(loop(), curve_check(folder.write("a.csv", rows), {1e-9, {}, ""}));
+  cases::Check check = curve_check(folder.write("a.csv", rows), {1e-9, {}, ""});
+  check.to = 0.2;
+  const Verdict verdict = verdict_of(loop(), check);
   CHECK_FALSE(verdict.passed);
   CHECK(verdict.failing == 1);
   CHECK(verdict.warnings.empty());

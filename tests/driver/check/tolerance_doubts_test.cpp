@@ -80,6 +80,13 @@ TEST_CASE("a tolerance below the reference's printed digits is doubted") {
             .empty());
 }
 
+TEST_CASE("a tolerance of the reference itself, as a percentage would be, is doubted") {
+  const ToleranceUse use{.scale = 1.0, .worst = 0.5, .resolution = {}, .unit = ""};
+  CHECK(tolerance_doubts(relative(5.0), use) ==
+        Doubts{"'relative: 5' allows 5 times the reference itself; 5 % is 'relative: 0.05'"});
+  CHECK(tolerance_doubts(relative(0.99), use).empty());
+}
+
 TEST_CASE("numbers that are not finite give no doubts") {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -146,6 +153,10 @@ TEST_CASE("a reference of which less than half was seen is told with both ranges
         "only 2 of the reference's 5 rows were compared, from 0 to 1.5, while it goes from 0 to 4; "
         "select with 'over' what is meant");
   CHECK(doubt(2.0, 3).empty());
+  CHECK(doubt(8.0, 5).empty());
+  CHECK(doubt(9.0, 5) ==
+        "the reference goes from 0 to 4 only, and the run from 0 to 9; select with 'over' what is "
+        "meant");
   // Half of the rows, but a small part of the range.
   CHECK_FALSE(coverage_doubt({{0, 1}, {0, 0}, {}}, {{0, 0.5, 1, 9}, {0, 0, 0, 0}, {}}, 3).empty());
 }
