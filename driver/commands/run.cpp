@@ -194,6 +194,7 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
   for (const cases::Check& check : problem.checks) checks.emplace_back(problem, check);
 
   bench::Row last;
+  std::int64_t count = 0;  // of rows that are written
   Outlook outlook(problem,
                   prints_rows(options) ? fs::temp_directory_path() : fs::path(options.folder));
   const auto follow = [&] {
@@ -209,7 +210,9 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
       for (check::CheckProgress& check : checks) check.add(block);
       if (rows) {
         for (const bench::Row& row : block) {
-          if (row.index % every == 0) rows->write(row);
+          if (row.index % every != 0) continue;
+          rows->write(row);
+          ++count;
         }
         if (block.back().index % every != 0) last = block.back();
       }
@@ -238,7 +241,10 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
     return code;
   }
   // The end of the run is always in the result.
-  if (rows && last.index == summary.increments() && last.index > 0) rows->write(last);
+  if (rows && last.index == summary.increments() && last.index > 0) {
+    rows->write(last);
+    ++count;
+  }
   if (const auto finished = rows ? rows->finish() : tl::expected<void, std::string>(); !finished) {
     return terminal::refuse(base::kExitEnvironment, finished.error());
   }
@@ -254,8 +260,9 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
       return terminal::refuse(base::kExitEnvironment, printed.error());
     }
   } else if (files) {
-    const base::json::Value document =
+    base::json::Value document =
         check::run_document(problem, summary, read.diagnostics, warnings, verdicts);
+    document["rows"] = count;  // whoever reads them sees whether some are missing
     files->summary->append(document.dump(2) + "\n");
     std::vector<base::OutputFile*> together = {&files->rows, &*files->events, &*files->summary};
     if (files->solver) together.push_back(&*files->solver);

@@ -57,7 +57,8 @@ std::optional<EventLine> read_event(std::string_view line) {
 std::optional<std::vector<results::RegimeHistory>> read_events(const fs::path& file,
                                                                const fs::path& result,
                                                                const results::PlotData& data) {
-  const std::set<std::string> known = results::comment_lines(result);
+  const auto comments = results::comment_lines(result);
+  const std::set<std::string> known(comments.begin(), comments.end());
   auto in = base::open_regular(file);
   if (!in) return std::nullopt;
   std::map<std::string, std::size_t, std::less<>> places;
@@ -71,6 +72,8 @@ std::optional<std::vector<results::RegimeHistory>> read_events(const fs::path& f
   bool header = false;
   double before = start;
   for (std::string line; std::getline(*in, line);) {
+    if (in->eof()) return std::nullopt;  // cut off
+    if (line.ends_with('\r')) line.pop_back();
     if (line.starts_with('#')) {
       if (!known.contains(line)) return std::nullopt;
       continue;

@@ -165,29 +165,31 @@ bool is_of_run(const yaml::Node& root, const std::set<std::string>& lines,
 }
 
 /// Takes what the JSON beside a result tells; one that is missing tells nothing, and one that is
-/// broken, or of another run, is warned of.
-void add_summary(const fs::path& file, const base::UnitSystem& units,
-                 const std::set<std::string>& lines, CaseReport& report) {
+/// broken, or of another run, is warned of. Returns how many rows were written, if it says so.
+std::optional<std::int64_t> add_summary(const fs::path& file, const base::UnitSystem& units,
+                                        const std::set<std::string>& lines, CaseReport& report) {
   constexpr const char* kLost = "the verdicts of the checks are unknown";
   std::error_code ignored;
-  if (!fs::exists(file, ignored)) return;
+  if (!fs::exists(file, ignored)) return std::nullopt;
   // JSON is YAML; the reader of cases is strict and has its limits.
   const auto source = base::read_source(file.string());
   if (!source) {
     warn_of(file, source.error().diagnostic.message, kLost, report);
-    return;
+    return std::nullopt;
   }
   const auto tree = yaml::parse_yaml(*source);
   if (!tree) {
     const auto faults = tree.error().sorted();
     warn_of(file, faults.empty() ? "no JSON" : faults.front().message, kLost, report);
-    return;
+    return std::nullopt;
   }
   const yaml::Node root = tree->root();
   if (!is_of_run(root, lines, report)) {
     warn_of(file, kOtherRun, kLost, report);
-    return;
+    return std::nullopt;
   }
+  std::optional<std::int64_t> rows;
+  if (number_in(root, "rows")) rows = count_in(root, "rows");
   if (const auto summary = root.find("summary")) {
     const double duration = number_in(*summary, "end_time").value_or(0.0) -
                             number_in(*summary, "start_time").value_or(0.0);
@@ -213,15 +215,15 @@ void add_summary(const fs::path& file, const base::UnitSystem& units,
   if (const auto checks = root.find("checks")) {
     for (const yaml::Node check : checks->items()) report.checks.push_back(read_check(check));
   }
-  if (report.checks.empty()) return;
+  if (report.checks.empty()) return rows;
   const bool passed = std::all_of(report.checks.begin(), report.checks.end(),
                                   [](const ReportCheck& check) { return check.verdict.passed; });
   report.status = passed ? ReportStatus::kPassed : ReportStatus::kFailed;
+  return rows;
 }
 
 std::vector<std::string_view> fields_of(std::string_view line) {
   std::vector<std::string_view> fields;
-  if (line.ends_with('\r')) line.remove_suffix(1);
   while (true) {
     const std::size_t end = line.find(',');
     fields.push_back(line.substr(0, end));
@@ -241,6 +243,11 @@ void add_events(const fs::path& file, const std::set<std::string>& lines, CaseRe
   std::vector<std::string> header;
   ReportEvents events;
   while (std::getline(in, line)) {
+    if (in.eof()) {
+      warn_of(file, "it is cut off", kNoEvents, report);
+      return;
+    }
+    if (line.ends_with('\r')) line.pop_back();
     if (line.starts_with('#')) {
       if (lines.contains(line)) continue;
       warn_of(file, kOtherRun, kNoEvents, report);
@@ -300,6 +307,9 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
                              "has no friction force to draw (a result of 'slipbench run' has a "
                              "line '# friction:')"});
   }
+  if (std::string fault = results::cut_fault(layout, path); !fault.empty()) {
+    return unreadable(name, {base::HistoryError::Kind::kInput, path, 0, 0, std::move(fault)});
+  }
   auto reader = base::CsvReader::open(path, drawn.names);
   if (!reader) return unreadable(name, reader.error());
 
@@ -327,8 +337,9 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
   }
   report.units.emplace_back("energy", base::energy_unit(units));
   use_energy_unit(report, base::energy_unit(units));
-  const std::set<std::string> lines = results::comment_lines(path);
-  add_summary(beside(path, ".json"), units, lines, report);
+  const auto comments = results::comment_lines(path);
+  const std::set<std::string> lines(comments.begin(), comments.end());
+  const auto written = add_summary(beside(path, ".json"), units, lines, report);
   add_events(beside(path, ".events.csv"), lines, report);
 
   std::vector<std::size_t> status;  // of each definition, its column; the number of columns if none
@@ -368,6 +379,14 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
     before = row;
   }
   report.rows_total = rows.count();
+  if (written && *written != rows.count()) {
+    return unreadable(
+        name,
+        {base::HistoryError::Kind::kInput, path, 0, 0,
+         fmt::format("has {} rows, and {} were written ({}): it is cut off or edited, and its "
+                     "verdicts are those of other rows; run the case again",
+                     rows.count(), *written, beside(path, ".json").filename().string())});
+  }
   report.drawn = rows.finish(worst.rows());
   if (report.increments == 0) report.increments = std::max<std::int64_t>(rows.count() - 1, 0);
   for (std::size_t d = 0; d < spans.size(); ++d) report.definitions[d].spans = spans[d].spans();

@@ -117,7 +117,12 @@ tl::expected<PlotData, base::HistoryError> read_plot_data(const std::filesystem:
                                                           PlotDetail detail, std::size_t pixels) {
   auto opened = base::CsvReader::open(file, std::vector<std::string>{"t"}, shown_name);
   if (!opened) return tl::unexpected(std::move(opened.error()));
-  PlotData data = select_plot_columns(read_layout(file, opened->header()), detail);
+  const ResultLayout layout = read_layout(file, opened->header());
+  if (std::string fault = cut_fault(layout, file); !fault.empty()) {
+    return tl::unexpected(
+        base::HistoryError{base::HistoryError::Kind::kInput, shown_name, 0, 0, std::move(fault)});
+  }
+  PlotData data = select_plot_columns(layout, detail);
   if (data.definitions.empty()) {
     return tl::unexpected(base::HistoryError{
         base::HistoryError::Kind::kInput, shown_name, 0, 0,

@@ -3,6 +3,8 @@
 
 #include <fstream>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
@@ -94,10 +96,7 @@ ResultLayout layout_of(const cases::Case& problem, std::span<const Column> colum
 ResultLayout read_layout(const std::filesystem::path& file, std::span<const std::string> header) {
   ResultLayout layout;
   layout.columns.assign(header.begin(), header.end());
-  std::ifstream in(file);
-  std::string line;
-  while (in.peek() == '#' && std::getline(in, line)) {
-    if (line.ends_with('\r')) line.pop_back();
+  for (std::string line : comment_lines(file)) {
     line = base::printable(base::out_of_cells(line));
     std::string_view text = line;
     const std::string_view key = take(text, ": ");
@@ -123,10 +122,24 @@ ResultLayout read_layout(const std::filesystem::path& file, std::span<const std:
   return layout;
 }
 
-std::set<std::string> comment_lines(const std::filesystem::path& file) {
-  std::set<std::string> lines;
+std::string cut_fault(const ResultLayout& layout, const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (layout.friction.empty() || !std::filesystem::is_regular_file(file, ignored)) return {};
+  std::ifstream in(file, std::ios::binary);
+  if (!in.seekg(-1, std::ios::end) || in.get() == '\n') return {};
+  return "its last line has no end: the result is cut off; run the case again";
+}
+
+std::vector<std::string> comment_lines(const std::filesystem::path& file) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::vector<std::string> lines;
   std::ifstream in(file);
-  for (std::string line; std::getline(in, line) && line.starts_with('#');) lines.insert(line);
+  for (std::string line; std::getline(in, line);) {
+    if (lines.empty() && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
+    if (!line.starts_with('#')) break;
+    if (line.ends_with('\r')) line.pop_back();
+    lines.push_back(std::move(line));
+  }
   return lines;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -43,8 +42,12 @@ ResultLayout layout_of(const cases::Case& problem, std::span<const Column> colum
 /// empty: any CSV has a layout.
 ResultLayout read_layout(const std::filesystem::path& file, std::span<const std::string> header);
 
-/// Lines of a file that begin with '#', up to its header. The events of a run have none that its
-/// rows have not.
-std::set<std::string> comment_lines(const std::filesystem::path& file);
+/// Returns why a file with this layout is no whole result, in a sentence, or nothing: the last line
+/// of one that was written to its end has a line feed.
+std::string cut_fault(const ResultLayout& layout, const std::filesystem::path& file);
+
+/// Lines of a file that begin with '#', without their ends, up to its header. The events of a run
+/// have none that its rows have not.
+std::vector<std::string> comment_lines(const std::filesystem::path& file);
 
 }  // namespace slipbench::driver::results

@@ -107,7 +107,7 @@ std::vector<SampleRange> Parts::missing() const {
   return gaps;
 }
 
-std::string Parts::read(const Piece& piece, Chunk& chunk) {
+std::string Parts::read(const Piece& piece, std::size_t known, Chunk& chunk) {
   if (piece.of_journal) {
     const auto read = journals_[piece.source]->read(piece.record, chunk);
     return read ? "" : read.error();
@@ -116,13 +116,18 @@ std::string Parts::read(const Piece& piece, Chunk& chunk) {
   rows.file.clear();
   rows.file.seekg(static_cast<std::streamoff>(piece.record.offset));
   const std::size_t depth = sweep_->collected.size();
+  const std::size_t width = sweep_->varied.size();
   std::string line;
   for (std::size_t i = 0; i < piece.count; ++i) {
+    const bool there = static_cast<bool>(std::getline(rows.file, line));
+    if (there && i < known) continue;
     const std::span<double> numbers = std::span(chunk.numbers).subspan(i * depth, depth);
-    if (!std::getline(rows.file, line) ||
-        !read_row(line, piece.first + i, sweep_->varied.size(), numbers)) {
-      return fmt::format("{}: is damaged: the line of sample {} cannot be read", rows.path.string(),
-                         piece.first + i);
+    const std::span<const double> values = std::span(chunk.values).subspan(i * width, width);
+    if (!there || !read_row(line, piece.first + i, values, numbers)) {
+      return fmt::format(
+          "{}: is damaged: the line of sample {} cannot be read, or has other values than the "
+          "sweep gives it",
+          rows.path.string(), piece.first + i);
     }
   }
   return {};
@@ -159,7 +164,7 @@ std::string Parts::for_each(const std::function<void(const SampleOutcome&)>& tak
     Chunk chunk(*sweep_, piece.first, piece.count);
     const std::size_t known = next - std::min(next, piece.first);
     samples.take(std::span(chunk.values).subspan(known * width));
-    if (std::string fault = read(piece, chunk); !fault.empty()) return fault;
+    if (std::string fault = read(piece, known, chunk); !fault.empty()) return fault;
     if (!piece.of_journal) give_reasons(chunk, known);
     for (std::size_t i = known; i < piece.count; ++i) take(chunk.outcome(i));
     next = end;

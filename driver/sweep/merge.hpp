@@ -56,7 +56,8 @@ class Parts {
 
   std::string add_journal(const std::filesystem::path& file);
   std::string add_rows(const std::filesystem::path& file);
-  std::string read(const Piece& piece, Chunk& chunk);
+  /// \param known samples at its begin that were read from another piece
+  std::string read(const Piece& piece, std::size_t known, Chunk& chunk);
   void give_reasons(Chunk& chunk, std::size_t from);
 
   const Sweep* sweep_;

@@ -46,13 +46,13 @@ table::TableHead rows_head(const Sweep& sweep, const std::string& identity,
   return head;
 }
 
-bool read_row(std::string_view line, std::size_t id, std::size_t varied,
+bool read_row(std::string_view line, std::size_t id, std::span<const double> values,
               std::span<double> numbers) {
   std::size_t own = 0;
   if (!take_number(line, own) || own != id) return false;
   double value = 0.0;
-  for (std::size_t p = 0; p < varied; ++p) {
-    if (!take_number(line, value)) return false;
+  for (const double known : values) {
+    if (!take_number(line, value) || value != known) return false;
   }
   for (double& number : numbers) {
     if (!take_number(line, number)) return false;

@@ -19,7 +19,9 @@ namespace slipbench::driver::sweep {
 table::TableHead rows_head(const Sweep& sweep, const std::string& identity,
                            const std::optional<Part>& part);
 
-/// Reads what was collected from a line; false if it is no line of sample `id`.
-bool read_row(std::string_view line, std::size_t id, std::size_t varied, std::span<double> numbers);
+/// Reads what was collected from a line; false if it is no line of sample `id` with these values of
+/// what is varied.
+bool read_row(std::string_view line, std::size_t id, std::span<const double> values,
+              std::span<double> numbers);
 
 }  // namespace slipbench::driver::sweep

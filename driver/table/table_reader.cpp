@@ -36,7 +36,7 @@ class CsvTable : public TableReader {
         head_.columns = base::header_names(line, ',');
         return {};
       }
-      head_.lines += base::out_of_cells(line) + "\n";
+      head_.lines += base::printable(base::out_of_cells(line)) + "\n";
     }
   }
 

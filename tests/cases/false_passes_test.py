@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Suites, references and results of which a part is missing: none of them passes in silence.
+
+usage: false_passes_test.py PROGRAM SOURCE_FOLDER
+"""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SECONDS = 60 * int(os.environ.get("SLIPBENCH_PATIENCE", 1))
+del sys.argv[1:]
+CASE = """slipbench: 1
+connector: {type: SLOT}
+friction: [{predefined: {}, coefficient: 0.2, stick: {stiffness: 1000}}]
+history:
+  - {step: pull, duration: 1, increments: 50, motion: {CP1: {to: 0.1}}, force: {f2: 100}}
+"""
+CHECK = 'checks: [{name: force, quantity: CSF1, %s, tolerance: {absolute: 1.0e-9, why: rounding}}]\n'
+RIGHT = CASE + CHECK % 'against: {expression: "= min(1000*CU1, 20)"}'
+WRONG = CASE + CHECK % 'against: {expression: "= 7"}'
+GOLDEN = CASE + CHECK % "against: {curve: golden.csv}"
+
+
+class FalsePasses(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="passes-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / name).write_text(text)
+
+    def run_tool(self, *words, code=0, stdin=subprocess.DEVNULL):
+        done = subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, stdin=stdin, timeout=SECONDS)
+        self.assertEqual(done.returncode, code, f"{words}: {done.stdout}{done.stderr}")
+        return done.stdout + done.stderr
+
+    def test_a_case_with_a_line_of_a_sweep_is_told(self):
+        self.write("suite/right.yaml", RIGHT)
+        for tail in ("sweep: {}\n", "calibrate : {}\n", "...\nsweep: {}\n", 'title: "\nsweep: {}\n'):
+            self.write("suite/wrong.yaml", WRONG + tail)
+            self.assertIn("1 not run", self.run_tool("check", "suite", code=2))
+        self.write("suite/wrong.yaml", "slipbench: 1\nsweep:\n  case: right.yaml\n  vary: {mu: [0.1]}\n")
+        self.assertIn("1 case passed, 0 failed", self.run_tool("check", "suite"))
+
+    def test_what_is_left_out_of_a_folder_is_in_every_file(self):
+        self.write("suite/right.yaml", RIGHT)
+        self.write("shared/wrong.yaml", WRONG)
+        (self.folder / "suite/shared").symlink_to("../shared")
+        said = self.run_tool("check", "suite", "--json", "a.json", "--junit", "a.xml", code=4)
+        self.assertIn("suite/shared: error: is a link out of the folder and not searched", said)
+        totals = json.loads((self.folder / "a.json").read_text())["totals"]
+        self.assertEqual((totals["not_run"], totals["exit_code"]), (1, 4))
+        self.assertEqual(xml.etree.ElementTree.parse(self.folder / "a.xml").getroot().get("errors"), "1")
+        self.assertIn("is a link out of the folder", self.run_tool("check", "suite", "--filter", "right", code=4))
+        self.run_tool("check", "suite", "--allow-outside")
+        self.write("none.yaml", CASE)
+        self.run_tool("check", "none.yaml", "--strict", "--json", "b.json", code=1)
+        self.assertEqual(json.loads((self.folder / "b.json").read_text())["totals"]["exit_code"], 1)
+
+    def test_a_name_in_brackets_is_a_name(self):
+        for name, text in (("a.yaml", RIGHT), ("[a.yaml]", WRONG), ("[a.yaml,a.yaml]", WRONG), ("[]", WRONG)):
+            self.write(name, text)
+        self.run_tool("check", "a.yaml")
+        for words in (("[a.yaml]",), ("[a.yaml,a.yaml]",), ("a.yaml", "[]")):
+            self.run_tool("check", *words, code=1)
+        for words in (("--filter", "[a]"), ("--filter=[a]",)):
+            self.assertIn("no case matches --filter '[a]'", self.run_tool("check", ".", *words, code=2))
+        for words in (("--set", "[mu=0.1,mu=0.2]"), ("--set=[mu=0.1,mu=0.2]",)):
+            self.assertIn("[mu", self.run_tool("check", "a.yaml", *words, code=2))
+
+    def test_a_golden_curve_is_that_of_the_whole_run(self):
+        self.write("case.yaml", GOLDEN)
+        self.run_tool("bless", "case.yaml", "--reason", "looked at")
+        golden = (self.folder / "golden.csv").read_text()
+        self.assertIn("# rows: 51\n", golden)
+        self.assertIn("1 case passed", self.run_tool("check", "case.yaml", "--strict"))
+        lines = golden.splitlines(keepends=True)
+        row = next(number for number, line in enumerate(lines) if line.startswith("time,")) + 1
+        for text in (lines[:row + 3], lines[:row + 20] + lines[row + 21:], lines[:row + 1] + lines[-1:], lines + ["2,0\n"]):
+            self.write("golden.csv", "".join(text))
+            self.assertIn("it is cut off or edited", self.run_tool("check", "case.yaml", code=1))
+        # Golden curves of older versions do not say how many rows they have.
+        self.write("golden.csv", "".join(line for line in lines[:row + 3] if not line.startswith("# rows")))
+        self.assertIn("goes from t = 0 to 0.04, and the rows that are compared from 0 to 1", self.run_tool("check", "case.yaml", code=1))
+        self.write("golden.csv", golden)
+        more = "  - {step: back, duration: 1, increments: 50, motion: {CP1: {to: -5}}, force: {f2: 100}}\nchecks"
+        self.write("case.yaml", GOLDEN.replace("checks", more))
+        self.assertIn("and the rows that are compared from 0 to 2", self.run_tool("check", "case.yaml", code=1))
+        self.write("case.yaml", GOLDEN.replace("checks", more).replace("name: force", "name: force, step: pull"))
+        self.run_tool("check", "case.yaml")
+
+    def test_a_tolerance_or_curve_that_judges_nothing_is_doubted(self):
+        self.write("curve.csv", "time,CSF1\n0,0\n0.01,1\n")
+        self.write("case.yaml", CASE + CHECK % "against: {curve: curve.csv}")
+        self.assertIn("the reference goes from 0 to 0.01 only, and the run from 0 to 1", self.run_tool("check", "case.yaml"))
+        self.write("case.yaml", CASE + (CHECK % 'against: {expression: "= -CSF1"}').replace("absolute: 1.0e-9", "relative: 5"))
+        self.assertIn("'relative: 5' allows 5 times the reference itself", self.run_tool("check", "case.yaml", "--strict", code=1))
+
+    def test_a_result_with_rows_missing_is_none(self):
+        self.write("case.yaml", RIGHT)
+        self.run_tool("run", "case.yaml", "-o", "out")
+        self.assertEqual(json.loads((self.folder / "out/case.json").read_text())["rows"], 51)
+        rows = (self.folder / "out/case.csv").read_text()
+        lines = rows.splitlines(keepends=True)
+        self.assertIn("1 case, 0 failed", self.run_tool("report", "out/case.csv", "-o", "page.html"))
+        for text in ("".join(lines[:-9]), "".join(lines[:-9] + lines[-8:]), rows + lines[-1]):
+            self.write("out/case.csv", text)
+            self.assertIn("and 51 were written (case.json)", self.run_tool("report", "out/case.csv", "-o", "page.html", "--force", code=2))
+        self.write("out/case.csv", rows[:-3])
+        for words in (("report", "out/case.csv", "-o", "page.html"), ("plot", "out/case.csv", "-o", "a.svg"),
+                      ("plot", "out/case.csv", "--as", "bands", "-o", "a.svg")):
+            self.assertIn("its last line has no end: the result is cut off", self.run_tool(*words, "--force", code=2))
+        # An editor's mark and ends of lines change no number.
+        for text in ("\ufeff" + rows, rows.replace("\n", "\r\n")):
+            (self.folder / "out/case.csv").write_bytes(text.encode())
+            said = self.run_tool("report", "out/case.csv", "-o", "page.html", "--force")
+            self.assertIn("1 case, 0 failed", said)
+            self.assertFalse("it is of another run than the rows" in (self.folder / "page.html").read_text())
+        self.run_tool("run", "case.yaml", "-o", "every", "--every", "7")
+        self.assertEqual(json.loads((self.folder / "every/case.json").read_text())["rows"], 9)
+        self.run_tool("report", "every/case.csv", "-o", "page.html", "--force")
+
+    def test_standard_input_is_not_waited_for_in_a_folder(self):
+        self.write("suite/case.yaml", CASE[:CASE.index("history")] + 'history: {csv: "-", time: t, columns: {CP1: x, f2: f}}\n')
+        read, write = os.pipe()
+        for words in (("check", "suite"), ("report", "suite", "-o", "page.html")):
+            self.assertIn("standard input is not read where a folder is searched", self.run_tool(*words, code=2, stdin=read))
+        os.write(write, b"t,x,f\n0,0,100\n1,0.1,100\n")
+        os.close(write)
+        self.run_tool("check", "suite/case.yaml", stdin=read)
+        os.close(read)
+
+    def test_messages_in_files_are_as_printable_as_those_on_a_terminal(self):
+        self.write("suite/case.yaml", RIGHT.replace("stiffness: 1000", '"stick\\x9b2J\\u202e": 1'))
+        self.write("suite/c.yaml", "# \u202e\n" + RIGHT)
+        self.run_tool("check", "suite", "--report", "a.html", code=2)
+        self.write("suite/b\u202e.yaml", RIGHT)
+        self.run_tool("check", "suite", "--json", "a.json", "--junit", "a.xml", code=2)
+        document = json.loads((self.folder / "a.json").read_text())
+        shown = [text for one in document["cases"] for text in (one["case"], one.get("message", ""))]
+        for text in (*shown, (self.folder / "a.xml").read_text(), (self.folder / "a.html").read_text()):
+            self.assertFalse({"\u202e", "\x9b"} & set(text))
+
+    def test_rows_of_a_sweep_that_were_edited_are_not_merged(self):
+        for name in ("slot.yaml", "slot_sweep.yaml"):
+            self.write(name, (SOURCE / "cases/sweeps" / name).read_text())
+        for part in ("1/2", "2/2"):
+            self.run_tool("sweep", "slot_sweep.yaml", "--part", part, "-o", "out")
+        part = next((self.folder / "out").glob("*.1of2.csv"))
+        lines = part.read_text().splitlines()
+        fields = lines[-1].split(",")
+        part.write_text("\n".join([*lines[:-1], ",".join([fields[0], "0.555", *fields[2:]])]) + "\n")
+        self.assertIn("has other values than the sweep gives it", self.run_tool("merge", "slot_sweep.yaml", "-o", "out", code=4))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
