@@ -494,7 +494,7 @@ std::vector<VariedTable> varied_tables(yaml::Binder& binder,
                                        const yaml::NamedMap<VariedTableText>& texts,
                                        std::span<const ReadExperiment> experiments) {
   // A fit keeps a square of numbers over its unknowns, and solves it again and again.
-  constexpr std::size_t kMostRows = 1000;
+  constexpr std::size_t kMostRows = 500;
   std::vector<VariedTable> tables;
   std::size_t rows = 0;
   for (const yaml::Named<VariedTableText>& text : texts) {

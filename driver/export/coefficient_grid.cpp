@@ -16,7 +16,7 @@ constexpr double kTolerance = 1e-4;
 constexpr std::size_t kMostPoints = 200;
 /// The most points of all: what a grid over all knots of a ragged table has may be far more than
 /// its rows.
-constexpr std::size_t kMostOfGrid = 1'000'000;
+constexpr std::size_t kMostOfGrid = 30'000;
 
 /// mu over one of the two, whichever the other is.
 using Line = std::function<double(double at, double other)>;

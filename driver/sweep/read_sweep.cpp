@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/sweep/read_sweep.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -406,6 +408,14 @@ class SweepReader {
         collected.variables = std::move(compiled->variables);
       }
       sweep.collected.push_back(std::move(collected));
+    }
+    // Sums for the correlation of each pair are kept, some 1.6 kB, however few samples there are.
+    constexpr std::size_t kMostPairs = 100'000;
+    if (sweep.varied.size() * sweep.collected.size() > kMostPairs) {
+      binder_.error(*keys.collect.node, keys.collect.path,
+                    fmt::format("{} varied parameters and {} collected numbers have more than {} "
+                                "correlations; vary or collect fewer",
+                                sweep.varied.size(), sweep.collected.size(), kMostPairs));
     }
   }
 

@@ -184,6 +184,11 @@ class Binder {
   /// memory for their sake can be left out.
   [[nodiscard]] bool flooded() const { return errors() > base::Diagnostics::kMaxKept; }
 
+  /// Counts rows of tables that are read from files, which may name one file again and again.
+  /// Returns false once they are more than all tables of a case may have.
+  bool count_table_row() { return ++table_rows_ <= kMostTableRows; }
+  static constexpr std::size_t kMostTableRows = 2'000'000;
+
  private:
   /// The hint for an unknown key of a case that goes by another name here, or empty.
   std::optional<double> number_with_unit(const Node& node, const Path& path, const KeyInfo& info);
@@ -205,6 +210,7 @@ class Binder {
   std::set<std::string, std::less<>> unresolved_;
   std::filesystem::path case_folder_;
   std::vector<std::string> data_files_;
+  std::size_t table_rows_ = 0;
   bool allow_outside_;
   bool environment_failed_ = false;
   bool unknown_names_excused_ = false;

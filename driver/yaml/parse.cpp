@@ -136,9 +136,13 @@ class TreeBuilder : public YAML::EventHandler {
     }
     const Anchored& target = known->second;
     expanded_ += target.extent.nodes;
-    if (expanded_ > kAliasBudget) {
+    expanded_text_ += target.extent.text;
+    if (expanded_ > kAliasBudget || expanded_text_ > kAliasText) {
+      const bool values = expanded_ > kAliasBudget;
       error(offset, alias_length(offset), current_path(),
-            fmt::format("the aliases of this file stand for more than {} values", kAliasBudget));
+            fmt::format("the aliases of this file stand for more than {} {}",
+                        values ? kAliasBudget : kAliasText,
+                        values ? "values" : "characters of long texts"));
       throw StopReading{};
     }
     if (frames_.size() + target.extent.height - 1 > kDeepestNesting) stop_at_depth(offset);
@@ -163,7 +167,8 @@ class TreeBuilder : public YAML::EventHandler {
       record.begin = narrow(verbatim ? offset + 1 : data_.decoded_text.size());
       if (!verbatim) data_.decoded_text += value;
     }
-    add(record, {1, 1}, anchor);
+    constexpr std::size_t kLongestNumber = 32;
+    add(record, {1, 1, value.size() > kLongestNumber ? value.size() : 0}, anchor);
   }
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
@@ -217,6 +222,7 @@ class TreeBuilder : public YAML::EventHandler {
   struct Extent {
     std::size_t nodes = 1;   // with everything that aliases in it stand for
     std::size_t height = 1;  // 1 for a scalar
+    std::size_t text = 0;    // characters of its long texts
   };
   struct Frame {
     NodeKind kind = NodeKind::kSequence;
@@ -380,6 +386,7 @@ class TreeBuilder : public YAML::EventHandler {
     Extent& own = frames_.back().extent;
     own.nodes += extent.nodes;
     own.height = std::max(own.height, extent.height + 1);
+    own.text += extent.text;
   }
 
   void check_key(const NodeRecord& key, bool is_alias) {
@@ -459,6 +466,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<NodeRecord> pending_{};
   std::unordered_map<YAML::anchor_t, Anchored> anchors_{};
   std::size_t expanded_ = 0;
+  std::size_t expanded_text_ = 0;
   std::size_t rows_met_ = 0;
 };
 

@@ -45,6 +45,17 @@ std::size_t name_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+std::span<const std::string_view> candidates_among(std::span<const std::string_view> names) {
+  constexpr std::size_t kMost = 1000;
+  constexpr std::size_t kMostLetters = 10 * kMost;
+  std::size_t count = 0;
+  for (std::size_t letters = 0; count < std::min(names.size(), kMost); ++count) {
+    letters += names[count].size();
+    if (letters > kMostLetters) break;
+  }
+  return names.first(count);
+}
+
 std::vector<std::string_view> suggestions(std::string_view word,
                                           std::span<const std::string_view> names) {
   // A word longer than any name has no near one, and the distance is quadratic in its length.
@@ -52,7 +63,7 @@ std::vector<std::string_view> suggestions(std::string_view word,
   constexpr std::size_t kShortestPart = 3;
   if (word.empty() || word.size() > kLongestWord) return {};
   std::vector<std::pair<std::size_t, std::string_view>> ranked;
-  for (const std::string_view name : names.first(std::min(names.size(), kMostCandidates))) {
+  for (const std::string_view name : candidates_among(names)) {
     const std::size_t distance = name_distance(word, name);
     if (distance <= std::max(word.size(), name.size()) / 3) {
       ranked.emplace_back(distance, name);

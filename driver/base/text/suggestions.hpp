@@ -13,8 +13,10 @@ namespace slipbench::driver::base {
 /// So many names are shown at once, at most.
 inline constexpr std::size_t kMostSuggestions = 5;
 
-/// So many names are looked at for one that is near, at most: each takes a microsecond.
-inline constexpr std::size_t kMostCandidates = 1000;
+/// Returns the names that are looked at for one that is near: the first thousand, and fewer of long
+/// ones, as comparing two takes a time that grows with the product of their lengths.
+[[nodiscard]] std::span<const std::string_view> candidates_among(
+    std::span<const std::string_view> names);
 
 /// Optimal string alignment distance: how many letters must be inserted, deleted, replaced or
 /// swapped with their neighbour; blind to case and to '-' and ' ' against '_'.

@@ -203,6 +203,10 @@ struct Expression::Program {
     parser.ClearConst();
     const std::string name_characters = std::string(parser.ValidNameChars()) + '.';
     parser.DefineNameChars(name_characters.c_str());
+    // With letters among them, as by default, '+t+t+t' is one run that is looked through again for
+    // each of its operators. All that a formula may have are built in.
+    parser.DefineOprtChars("+-");
+    parser.DefineInfixOprtChars("+-");
     for (std::size_t i = 0; i < slots.size(); ++i) parser.DefineVar(slots[i].name, &numbers[i]);
     parser.SetExpr(text.substr(formula_begin));
   }

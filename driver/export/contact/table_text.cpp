@@ -40,6 +40,7 @@ std::string to_table(const FrictionStatement& statement, const ExportOptions& op
   tell_rounding(number.rounded(), number.worst(), deck.losses);
   if (limited) note(Loss::Kind::kDropped, "force_limit: a table has none");
   note(Loss::Kind::kDropped, "stick stiffness");
+  law_of_table(text);  // slip rates next to the smallest or largest number make none
   return text;
 }
 

@@ -149,6 +149,9 @@ std::vector<Drive> CaseParts::in_effect(const Step& step, const std::vector<Driv
   const auto same = [](const Drive& a, const Drive& b) {
     return a.component == b.component && a.is_load == b.is_load && a.quantity == b.quantity;
   };
+  // Of a step that drives each connector through hundreds of sets, a few say what is wrong.
+  constexpr int kMostTold = 5;
+  int twice = 0;
   std::vector<Drive> drives;
   for (const Drive& one : stated) {
     const auto before = std::find_if(drives.begin(), drives.end(),
@@ -160,9 +163,15 @@ std::vector<Drive> CaseParts::in_effect(const Step& step, const std::vector<Driv
     const std::string name = !one.quantity.empty() ? one.quantity
                              : one.is_load         ? cases::force_name(one.component - 1)
                                                    : cases::motion_name(one.component - 1);
-    notes_.push_back(fmt::format("{}: stated twice in {} ({} and {}): the last one holds", name,
-                                 step.name, deck_.place(before->where), deck_.place(one.where)));
+    if (++twice <= kMostTold) {
+      notes_.push_back(fmt::format("{}: stated twice in {} ({} and {}): the last one holds", name,
+                                   step.name, deck_.place(before->where), deck_.place(one.where)));
+    }
     *before = one;
+  }
+  if (twice > kMostTold) {
+    notes_.push_back(fmt::format("{}: {} more are stated twice: the last one holds", step.name,
+                                 twice - kMostTold));
   }
   for (const Drive& one : going) {
     const bool again = std::any_of(drives.begin(), drives.end(),

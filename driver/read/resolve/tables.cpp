@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the text of a table to the law's table, with every fault at its row.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "driver/base/csv/csv_reader.hpp"
@@ -126,6 +128,12 @@ std::optional<Rows> rows_of(yaml::Binder& binder, const TableText& text, const y
     const auto more = reader->next(row);
     if (!more) return fail(more.error());
     if (!*more) break;
+    if (!binder.count_table_row()) {
+      binder.error(*text.csv.node, text.csv.path,
+                   fmt::format("the tables of this case have more than {} rows from files",
+                               yaml::Binder::kMostTableRows));
+      return std::nullopt;
+    }
     rows.values.push_back(row);
     rows.lines.push_back(reader->line());
   }
