@@ -197,6 +197,8 @@ inline std::optional<std::string> violation(std::span<const std::vector<double>>
 inline PathEvaluator make(std::span<const std::vector<double>> values) {
   const Oscillator oscillator{values[0][0], values[1][0], values[2][0],
                               values[3][0], values[4][0], values[5][0]};
+  // With next to no friction phases last less than the time can tell.
+  constexpr int kMostPhases = 1'000'000;
   struct Phase {
     State state;
     double begin = 0.0;
@@ -206,9 +208,13 @@ inline PathEvaluator make(std::span<const std::vector<double>> values) {
   first.begin = values[8][0];
   first.state = classify(oscillator, values[6][0], values[7][0]);
   first.duration = phase_duration(oscillator, first.state);
-  return [oscillator, phase = first](std::span<const double> inputs,
-                                     std::span<double> outputs) mutable {
+  return [oscillator, phase = first, phases = 0](std::span<const double> inputs,
+                                                 std::span<double> outputs) mutable {
     while (inputs[0] - phase.begin > phase.duration) {
+      if (++phases > kMostPhases) {
+        std::ranges::fill(outputs, std::numeric_limits<double>::quiet_NaN());
+        return;
+      }
       phase.state = next_phase(oscillator, phase.state, phase.duration);
       phase.begin += phase.duration;
       phase.duration = phase_duration(oscillator, phase.state);
@@ -229,7 +235,7 @@ inline constexpr ClosedForm kForm{
     .formula =
         "slip: m x'' + k x = z mu_k N, z = sign(v - x'); stick: x' = v while |k x| <= mu_s N",
     .source = "derived in docs/theory",
-    .range = "m, k > 0, mu_s >= mu_k; rigid stick; exact at any time",
+    .range = "m, k > 0, mu_s >= mu_k; rigid stick; exact for 10^6 phases of stick and slip",
     .parameters = kParameters,
     .inputs = kInputs,
     .outputs = kOutputs,

@@ -38,15 +38,19 @@ std::vector<std::string> tolerance_doubts(const cases::Tolerance& tolerance,
   const double of_scale = tolerance.relative.value_or(0.0) * use.scale;
   const double bound = std::max(absolute, of_scale);
   std::vector<std::string> doubts;
-  if (!std::isfinite(bound) || !std::isfinite(use.scale) || !std::isfinite(use.worst))
-    return doubts;
-
   if (tolerance.relative.value_or(0.0) >= 1.0) {
     doubts.push_back(fmt::format(
         "'relative: {0:.9g}' allows {0:.9g} times the reference itself; 5 % is 'relative: 0.05'",
         *tolerance.relative));
     return doubts;
   }
+  // Sums and products of such numbers would not be finite.
+  constexpr double kLargest = 1e290;
+  if (std::isfinite(bound) && bound >= kLargest) {
+    doubts.push_back(fmt::format("the tolerance of {} allows any number", told(bound, use.unit)));
+    return doubts;
+  }
+  if (!std::isfinite(bound) || !(use.scale < kLargest) || !(use.worst < kLargest)) return doubts;
   const double digits = use.resolution && std::isfinite(*use.resolution) ? *use.resolution : 0.0;
   const double enough = std::max(kHeadroom * use.worst, kTightEnough * use.scale);
   if (use.scale > 0.0 && bound > kTightEnough * use.scale && use.worst * kLoose < bound &&

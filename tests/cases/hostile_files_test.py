@@ -7,6 +7,7 @@ import ctypes
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -253,13 +254,48 @@ class HostileFiles(unittest.TestCase):
         for text, words in (
                 (fit.format(varied, one * 50), "no case has a parameter 'parametre_numbr_0'"),
                 (fit.format(known, one * 1000), "have 100700 parameters in all, at most 100000 are read"),
-                (of_table.format(experiment.format("table.yaml", "CSF1: F", "")), "have 20000 rows, at most 1000 are fitted"),
+                (of_table.format(experiment.format("table.yaml", "CSF1: F", "")), "have 20000 rows, at most 500 are fitted"),
                 (fit.format(known, experiment.format("many.yaml", "CSF1: F", settings)), "many.yaml has no parameter 'parametre_numbr_0'"),
                 (fit.format(known, experiment.format("faulty.yaml", "CSF1: F", "") * 500), "unknown key"),
                 (fit.format(known, experiment.format("one.yaml", ", ".join(compared), "")), "compare: 10000 items, at most 100 are read"),
                 (fit.format(known, experiment.format("one.yaml", ", ".join(compared[:100]), "") * 100), "have 2100 columns to compare, at most 2000 are read")):
             self.refused_in_time(text, words, command=("calibrate", "{}", "-o", "fitted"))
             self.assertFalse((self.folder / "fitted").exists())
+
+    def test_what_is_named_again_and_again_is_bounded(self):
+        case = SLIDER.format(title="Again", history=STEP.format(name="a"))
+        check = "  - {{name: c{0}, quantity: CSF1, against: {{expression: {1}}}, tolerance: {{absolute: 1, why: {2}}}}}\n"
+        long = "= 1" + "+t" * 4900
+        words = "the aliases of this file stand for more than 500000 characters of long texts"
+        self.refused_in_time(case + "checks:\n" + check.format(0, f'&e "{long}"', "a") + "".join(check.format(i, "*e", "a") for i in range(1, 900)), words)
+        self.refused_in_time(case + "checks:\n" + check.format(0, "'= 20'", "&w " + "why " * 50000) + "".join(check.format(i, "'= 20'", "*w") for i in range(1, 400)), words)
+        # As many characters of numbers are a table.
+        numbers = "x: &x [" + "0.123456, " * 9000 + "1]"
+        self.refused_in_time(case + f"parameters: {{{numbers}, " + ", ".join(f"x{i}: *x" for i in range(9)) + "}\n", "wanted a number")
+        self.write("rows.csv", "mu,slip_rate\n" + "".join(f"0.2,{i}\n" for i in range(50000)))
+        change = "change_friction: {friction1: {coefficient: {columns: [mu, slip_rate], csv: rows.csv}}}, "
+        steps = "".join(STEP.format(name=f"s{i}").replace("motion", change + "motion") for i in range(60))
+        self.refused_in_time(SLIDER.format(title="Tables", history=steps), "the tables of this case have more than 2000000 rows from files")
+        self.slider("given.yaml")
+        parameters = ", ".join(f"p{i}: {i}" for i in range(400))
+        self.write("given.yaml", (self.folder / "given.yaml").read_text() + f"parameters: {{{parameters}}}\n")
+        vary = ", ".join(f"p{i}: {{uniform: [0, 1]}}" for i in range(400))
+        collect = ", ".join(f"c{i}: {{max: CSF1}}" for i in range(400))
+        self.refused_in_time(f"slipbench: 1\nsweep: {{case: given.yaml, samples: 2, sampler: lhs, vary: {{{vary}}}, collect: {{{collect}}}}}\n",
+                             "400 varied parameters and 400 collected numbers have more than 100000 correlations", command=("sweep", "{}", "--no-output"))
+
+    def test_long_formulas_are_compiled_in_time(self):
+        formula = "= 100" + "+0*t" * 2400
+        self.write("case.yaml", SLIDER.format(title="Formulas", history="".join(STEP.format(name=f"s{i}").replace("100}", f'"{formula}"}}') for i in range(20))))
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        self.run_tool("run", "case.yaml", "--no-output")
+        # A second or so; some 12 s where the time grows with the square of the length.
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 6 * SECONDS / 20)
+
+    def test_what_makes_no_table_is_not_exported(self):
+        self.write("case.yaml", "slipbench: 1\nconnector: {type: SLOT}\nfriction:\n  - {component: 1, contact_force: 2, coefficient: {exponential_decay: {static: 0.25, kinetic: 0.1, decay: 1}}}\n"
+                   "history:\n  - {step: a, duration: 1e-309, increments: 10, force: {f2: 100}, motion: {CP1: {to: 1}}}\n")
+        self.assertIn("its coefficient makes no table", self.run_tool("export", "case.yaml", "--to", "table", code=2))
 
     def test_a_sweep_or_a_fit_opens_no_case_outside_its_folder(self):
         self.slider("case.yaml")

@@ -85,6 +85,9 @@ TEST_CASE("a tolerance of the reference itself, as a percentage would be, is dou
   CHECK(tolerance_doubts(relative(5.0), use) ==
         Doubts{"'relative: 5' allows 5 times the reference itself; 5 % is 'relative: 0.05'"});
   CHECK(tolerance_doubts(relative(0.99), use).empty());
+  CHECK(tolerance_doubts(relative(1e308), use).size() == 1);
+  CHECK(tolerance_doubts(absolute(1e300), use) ==
+        Doubts{"the tolerance of 1e+300 allows any number"});
 }
 
 TEST_CASE("numbers that are not finite give no doubts") {
