@@ -43,7 +43,7 @@ tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const cases::C
 
 /// Head above the numbers. Of blessings, the latest comes first.
 struct GoldenHeader {
-  std::vector<std::string> origin;     ///< lines on program, case, units, parameters, columns and rows
+  std::vector<std::string> origin;  ///< lines on program, case, units, parameters, columns and rows
   std::vector<std::string> blessings;  ///< "# blessed: new liner" or "# blessed 2026-01-31: .."
 };
 
@@ -54,8 +54,9 @@ GoldenHeader read_golden_header(const std::filesystem::path& file);
 /// behind its comments; a file that is cut off has others.
 bool has_golden_rows(const std::filesystem::path& file, std::string_view rows);
 
-/// That of a curve whose rows are all appended and which is about to be written. The date of a blessing is that of
-/// SOURCE_DATE_EPOCH, or none: the same input gives the same bytes. At most 20 blessings are kept.
+/// That of a curve whose rows are all appended and which is about to be written. The date of a
+/// blessing is that of SOURCE_DATE_EPOCH, or none: the same input gives the same bytes. At most 20
+/// blessings are kept.
 GoldenHeader golden_header(const cases::Case& problem, const GoldenCurve& curve,
                            std::string_view reason, const GoldenHeader& before);
 
