@@ -10,7 +10,6 @@
 #include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/csv/printed_digits.hpp"
 #include "driver/base/text/diagnostic.hpp"
-#include "driver/base/text/number.hpp"
 #include "driver/base/text/suggestions.hpp"
 
 namespace slipbench::driver::cases {
@@ -24,20 +23,28 @@ std::string told(const base::HistoryError& error) {
   return fmt::format("{}: {}", place, error.message);
 }
 
+/// Passes over the mark that some editors put before a text.
+void skip_byte_order_mark(std::ifstream& stream) {
+  for (const int byte : {0xEF, 0xBB, 0xBF}) {
+    if (stream.peek() != byte) return;
+    stream.get();
+  }
+}
+
 bool has(std::span<const std::string> names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Returns how many rows a golden curve had when it was blessed, if it says so.
-std::optional<long long> blessed_rows(const std::filesystem::path& file) {
+/// Returns how many rows a golden curve had when it was blessed, as it says, or nothing.
+std::string blessed_rows(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
+  skip_byte_order_mark(stream);
   for (std::string line; stream.peek() == '#' && std::getline(stream, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (line.starts_with(kGoldenRows)) {
-      return base::parse_integer(std::string_view(line).substr(kGoldenRows.size())).value_or(-1);
-    }
+    if (!line.starts_with(kGoldenRows)) continue;
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    return line.substr(std::min(kGoldenRows.size(), line.size()));
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -102,13 +109,14 @@ CurveFile::Contents CurveFile::read() const {
       for (auto& column : columns) column.reserve(kSample * size / bytes);
     }
   }
-  const auto rows = static_cast<long long>(columns.front().size());
-  if (const auto blessed = found.golden ? blessed_rows(source_.file) : std::nullopt;
-      blessed && *blessed != rows) {
+  const std::size_t rows = columns.front().size();
+  if (const std::string blessed = found.golden ? blessed_rows(source_.file) : "";
+      !blessed.empty() && blessed != std::to_string(rows)) {
     found.fault = fmt::format(
-        "{}: has {} rows, and {} were blessed: it is cut off or edited; restore it, or bless the "
-        "case again",
-        source_.shown_name, rows, *blessed);
+        "{}: its rows are {} in number, and '{}' were blessed: it is cut off or edited; restore "
+        "it, "
+        "or bless the case again",
+        source_.shown_name, rows, base::printable(blessed));
     return found;
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -166,6 +174,7 @@ tl::expected<void, base::HistoryError> openable_curve(const std::filesystem::pat
 
 bool is_golden_curve(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
+  skip_byte_order_mark(stream);
   std::string start(kGoldenMark.size(), '\0');
   if (!stream.read(start.data(), static_cast<std::streamsize>(start.size()))) return false;
   if (start != kGoldenMark) return false;

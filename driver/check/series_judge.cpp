@@ -34,11 +34,13 @@ void doubt(const cases::Tolerance& tolerance, const ToleranceUse& use, bool gold
   }
 }
 
-/// Rows that the check picks from the run are on purpose no more than a part of the reference.
+/// Rows that the check picks from the run are on purpose no more than a part of the reference, but
+/// of them the reference should cover most.
 void doubt_coverage(const cases::Check& check, const ComparedRows& rows, const Series& reference,
                     std::int64_t compared, Verdict& verdict) {
-  if (check.step || (check.abscissa && (check.from || check.to))) return;
-  std::string doubt = coverage_doubt(rows.value, reference, compared);
+  const bool is_part = check.step || (check.abscissa && (check.from || check.to));
+  std::string doubt = is_part ? range_doubt(rows.value, reference)
+                              : coverage_doubt(rows.value, reference, compared);
   if (!doubt.empty()) verdict.warnings.push_back(std::move(doubt));
 }
 

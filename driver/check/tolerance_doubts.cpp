@@ -102,19 +102,27 @@ bool has_all_digits(std::span<const CurvePoint> points, double resolution) {
   return agrees(middle->deviation);
 }
 
-std::string coverage_doubt(const Series& result, const Series& reference, std::int64_t compared) {
+std::string range_doubt(const Series& result, const Series& reference) {
   if (reference.size() < 2) return {};
   const CommonRange common = common_range(result, reference);
   if (!common.fault.empty()) return {};
   const Interval theirs = extent(reference.abscissa);
   const Interval ours = extent(result.abscissa);
+  if (2.0 * common.interval.width() >= ours.width()) return {};
+  return fmt::format(
+      "the reference goes from {:.4g} to {:.4g} only, and the rows that the check selects from "
+      "{:.4g} to {:.4g}; select with 'over' what is meant",
+      theirs.from, theirs.to, ours.from, ours.to);
+}
+
+std::string coverage_doubt(const Series& result, const Series& reference, std::int64_t compared) {
+  if (reference.size() < 2) return {};
+  const CommonRange common = common_range(result, reference);
+  if (!common.fault.empty()) return {};
+  const Interval theirs = extent(reference.abscissa);
   const auto rows = static_cast<std::int64_t>(reference.size());
   if (2 * compared >= rows && 2.0 * common.interval.width() >= theirs.width()) {
-    if (2.0 * common.interval.width() >= ours.width()) return {};
-    return fmt::format(
-        "the reference goes from {:.4g} to {:.4g} only, and the run from {:.4g} to {:.4g}; select "
-        "with 'over' what is meant",
-        theirs.from, theirs.to, ours.from, ours.to);
+    return range_doubt(result, reference);
   }
   return fmt::format(
       "only {} of the reference's {} rows were compared, from {:.4g} to {:.4g}, while it goes from "

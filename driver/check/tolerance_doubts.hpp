@@ -44,8 +44,12 @@ std::vector<std::string> tolerance_doubts(const cases::Tolerance& tolerance,
 /// something only if all points agree that well.
 bool has_all_digits(std::span<const CurvePoint> points, double resolution);
 
-/// Returns what a check did not see, in a sentence, if it saw less than half of its reference's
-/// rows or range, or of the range of the result; else empty. \param compared rows of the reference
+/// Returns that a reference covers less than half of the range of a result, in a sentence; else
+/// empty.
+std::string range_doubt(const Series& result, const Series& reference);
+
+/// The same, or that less than half of the reference's rows or range was compared.
+/// \param compared rows of the reference
 std::string coverage_doubt(const Series& result, const Series& reference, std::int64_t compared);
 
 }  // namespace slipbench::driver::check

@@ -111,7 +111,9 @@ int run(int argc, char** argv) {
       terminal::print(out.str());
       return base::kExitOk;
     }
-    terminal::print_error(fault_of_options(app, error));
+    std::string fault = fault_of_options(app, error);
+    std::erase(fault, kAsTyped);
+    terminal::print_error(fault);
     return base::kExitBadInput;
   }
   return command();

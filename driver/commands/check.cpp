@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "driver/base/files/exit_code.hpp"
-#include "driver/base/files/standard_input.hpp"
 #include "driver/base/files/work_crew.hpp"
 #include "driver/base/units/parameters.hpp"
 #include "driver/report/collect.hpp"
@@ -110,7 +109,6 @@ int check_command(const CheckOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const auto settings = base::parse_settings(options.settings);
   if (!settings) return terminal::refuse(base::kExitBadInput, settings.error());
-  if (suite::names_folder(options.paths)) base::refuse_standard_input();
   const std::vector<suite::Candidate> found =
       suite::find_candidates(options.paths, options.allow_outside);
   if (found.empty()) {

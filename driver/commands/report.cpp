@@ -14,7 +14,6 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/files/real_files.hpp"
-#include "driver/base/files/standard_input.hpp"
 #include "driver/base/files/work_crew.hpp"
 #include "driver/base/units/parameters.hpp"
 #include "driver/read/read_case.hpp"
@@ -107,7 +106,6 @@ int report_command(const ReportOptions& options) {
   if (!settings) return terminal::refuse(base::kExitBadInput, settings.error());
   if (options.output == "-")
     return terminal::refuse(base::kExitBadInput, "-o -: wanted the name of a file");
-  if (suite::names_folder(options.inputs)) base::refuse_standard_input();
   const std::vector<Source> sources = find_sources(options.inputs, options.allow_outside);
   if (sources.empty()) {
     return terminal::refuse(base::kExitBadInput,

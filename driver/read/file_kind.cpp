@@ -90,7 +90,19 @@ bool is_no_case(const std::filesystem::path& file) {
   const auto source = base::read_source(file.string());
   if (!source || !may_name_other_kind(source->text())) return false;
   const auto tree = yaml::parse_yaml(*source);
-  return tree && other_kind(tree->root(), FileKind::kCase);
+  if (!tree || !tree->root().is_map()) return false;
+  bool has_work = false;
+  for (const yaml::Entry entry : tree->root().entries()) {
+    const std::string_view key = entry.key.text();
+    if (key == "slipbench" || key == "title") continue;
+    const auto* const kind = std::find_if(kKinds.begin() + 1, kKinds.end(),
+                                          [&](const auto& one) { return one.command == key; });
+    if (has_work || kind == kKinds.end() || !entry.value.is_map() || entry.value.size() == 0) {
+      return false;
+    }
+    has_work = true;
+  }
+  return has_work;
 }
 
 }  // namespace slipbench::driver::read

@@ -34,8 +34,9 @@ struct OtherKind {
 };
 std::optional<OtherKind> other_kind(const yaml::Node& root, FileKind wanted);
 
-/// Tells whether a file is a fit or a sweep and nothing of a case. False for a file that cannot be
-/// read or parsed, and for one with keys of a case, too: reading it says what is wrong.
+/// Tells whether a file is a fit or a sweep and nothing else: it has their key, at the beginning of
+/// a line, with a map below, and else at most a version and a title. False for a file that cannot
+/// be read or parsed: reading it says what is wrong.
 bool is_no_case(const std::filesystem::path& file);
 
 }  // namespace slipbench::driver::read

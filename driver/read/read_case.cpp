@@ -184,6 +184,7 @@ struct Reading {
                kCaseWords) {
     binder.set_units(units);
     binder.note_formulas(options.formulas);
+    if (!options.standard_input) binder.refuse_standard_input();
     // Without parameters, every name in an expression would be unknown.
     const auto map = root.find("parameters");
     binder.excuse_unknown_names((map && !map->is_map()) ||

@@ -32,6 +32,9 @@ struct ReadOptions {
   std::vector<base::ParameterText> overrides = {};  ///< --set name=value
   bool allow_outside = false;          ///< data files may lie outside the case's folder
   bool curves_may_be_missing = false;  ///< reference curves are about to be made
+  /// Data may be standard input. Nobody who has a folder searched means to feed a case in it, and
+  /// one that waits for an open pipe never ends.
+  bool standard_input = true;
   /// Gets the formulas of the text, those of its parameters left out; or null.
   std::vector<yaml::Formula>* formulas = nullptr;
   /// Gets what is written under the keys, expressions evaluated; or null. Its nodes are of the

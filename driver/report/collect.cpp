@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/one_line.hpp"
 #include "driver/bench/run_case.hpp"
 #include "driver/report/drawn_columns.hpp"
@@ -182,7 +183,7 @@ CaseReport CaseCollector::finish(const std::string& name,
 
   CaseReport report;
   report.name = name;
-  report.title = problem.title;
+  report.title = base::printable(problem.title);
   report.run = what_was_run(problem);
   report.units = state.layout.units;
   report.units.emplace_back("energy", base::energy_unit(problem.units));
@@ -262,7 +263,7 @@ void add_remarks(CaseReport& report, const base::Diagnostics& diagnostics) {
 CaseReport not_run_report(const std::string& name, const std::string& title, std::string message) {
   CaseReport report;
   report.name = name;
-  report.title = title;
+  report.title = base::printable(title);
   report.status = ReportStatus::kNotRun;
   report.message = std::move(message);
   return report;

@@ -381,11 +381,11 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
   report.rows_total = rows.count();
   if (written && *written != rows.count()) {
     return unreadable(
-        name,
-        {base::HistoryError::Kind::kInput, path, 0, 0,
-         fmt::format("has {} rows, and {} were written ({}): it is cut off or edited, and its "
-                     "verdicts are those of other rows; run the case again",
-                     rows.count(), *written, beside(path, ".json").filename().string())});
+        name, {base::HistoryError::Kind::kInput, path, 0, 0,
+               fmt::format(
+                   "its rows are {} in number, and {} were written with {}: it is cut off, edited, "
+                   "or of another run; run the case again",
+                   rows.count(), *written, beside(path, ".json").filename().string())});
   }
   report.drawn = rows.finish(worst.rows());
   if (report.increments == 0) report.increments = std::max<std::int64_t>(rows.count() - 1, 0);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <set>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -63,7 +63,7 @@ std::vector<Candidate> search(const fs::path& top, bool allow_outside) {
       } else if (is_folder) {
         if (!is_link) folders.push_back(path);
       } else if (!read::is_no_case(path)) {
-        found.push_back({path.string(), {}});
+        found.push_back({path.string()});
       }
     }
     if (error) found.push_back({folder.string(), {}, "cannot be searched: " + error.message()});
@@ -71,23 +71,38 @@ std::vector<Candidate> search(const fs::path& top, bool allow_outside) {
   return found;
 }
 
-/// Keeps the first of several that are the same file.
-void remove_repeated(std::vector<Candidate>& cases) {
+/// Keeps the first of several that are the same file; one that is named or found elsewhere takes
+/// the place of one with a fault.
+std::vector<Candidate> without_repeated(std::vector<Candidate> cases) {
   base::RealFiles real_files;
-  std::set<std::string> seen;
-  std::erase_if(cases, [&](const Candidate& candidate) {
-    return !seen.insert(real_files.of(candidate.path)).second;
+  std::map<std::string, std::size_t> places;
+  std::vector<Candidate> kept;
+  for (Candidate& one : cases) {
+    const auto [at, is_new] = places.emplace(real_files.of(one.path), kept.size());
+    if (is_new) {
+      kept.push_back(std::move(one));
+    } else if (one.fault.empty()) {
+      Candidate& first = kept[at->second];
+      if (!first.fault.empty()) first = std::move(one);
+    }
+  }
+  return kept;
+}
+
+/// Tells whether a link leads to a folder that is searched by its own name.
+bool is_searched_too(const std::string& link, std::span<const std::string> paths) {
+  std::error_code error;
+  const fs::path target = fs::canonical(link, error);
+  return !error && std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
+    std::error_code missing;
+    const fs::path folder = fs::canonical(path, missing);
+    return !missing &&
+           std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first ==
+               folder.end();
   });
 }
 
 }  // namespace
-
-bool names_folder(std::span<const std::string> paths) {
-  return std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
-    std::error_code ignored;
-    return fs::is_directory(path, ignored);
-  });
-}
 
 std::vector<Candidate> find_candidates(std::span<const std::string> paths, bool allow_outside) {
   std::vector<Candidate> all;
@@ -99,6 +114,7 @@ std::vector<Candidate> find_candidates(std::span<const std::string> paths, bool 
     }
     std::vector<Candidate> found = search(path, allow_outside);
     for (Candidate& one : found) {
+      one.is_searched = true;
       const fs::path file = one.path;
       one.label = label_of(paths.size() == 1 ? file.lexically_relative(path) : file);
     }
@@ -106,8 +122,13 @@ std::vector<Candidate> find_candidates(std::span<const std::string> paths, bool 
               [](const Candidate& a, const Candidate& b) { return a.label < b.label; });
     std::move(found.begin(), found.end(), std::back_inserter(all));
   }
-  if (paths.size() > 1) remove_repeated(all);
-  return all;
+  if (paths.size() == 1) return all;
+  std::erase_if(all, [&](const Candidate& one) {
+    std::error_code ignored;
+    return !one.fault.empty() && fs::is_symlink(one.path, ignored) &&
+           fs::is_directory(one.path, ignored) && is_searched_too(one.path, paths);
+  });
+  return without_repeated(std::move(all));
 }
 
 }  // namespace slipbench::driver::suite

@@ -60,6 +60,14 @@ auto guarded(const std::string& path, const Work& work)
   }
 }
 
+/// Returns the text of a file as a page shows it: also without the sequences that colour a
+/// terminal.
+std::string shown_text(const base::SourceText& source) {
+  std::string text = base::printable_lines(source.text());
+  std::erase(text, '\033');
+  return text;
+}
+
 bool can_run(const read::ReadCase& read) { return read.value && !read.diagnostics.has_errors(); }
 
 CaseOutcome refused(const std::string& path, const read::ReadCase& read) {
@@ -162,9 +170,9 @@ CaseOutcome run_and_judge(const read::ReadCase& read, const std::string& label,
   for (std::string& finding : plausibility.findings()) warnings.push_back(std::move(finding));
   take_warnings(outcome, std::move(warnings), options.strict);
   if (collector) {
-    report::CaseReport report = collector->finish(label, checks, *ended);
+    report::CaseReport report = collector->finish(base::printable(label), checks, *ended);
     report::add_remarks(report, read.diagnostics);
-    report.run.text = base::printable_lines(read.sources.front().text());
+    report.run.text = shown_text(read.sources.front());
     options.report(std::move(report));
   }
   return outcome;
@@ -176,9 +184,9 @@ void report_fault(const Candidate& candidate, const Reading& reading, const Case
   if (!options.report || outcome.kind != CaseOutcome::Kind::kNotRun) return;
   const bool read = reading.read && reading.read->value;
   report::CaseReport report = report::not_run_report(
-      candidate.label, read ? reading.read->value->title : "", outcome.messages);
+      base::printable(candidate.label), read ? reading.read->value->title : "", outcome.messages);
   if (reading.read && !reading.read->sources.empty()) {
-    report.run.text = base::printable_lines(reading.read->sources.front().text());
+    report.run.text = shown_text(reading.read->sources.front());
   }
   options.report(std::move(report));
 }
@@ -209,7 +217,11 @@ Reading read_candidate(const Candidate& candidate, const read::ReadOptions& opti
   Reading reading;
   if (!candidate.fault.empty()) {
     reading.failure = failure(path, base::kExitEnvironment, "error", candidate.fault);
-  } else if (auto read = guarded(path, [&] { return read::read_case(path, options); })) {
+  } else if (auto read = guarded(path, [&] {
+               read::ReadOptions own = options;
+               own.standard_input = !candidate.is_searched;
+               return read::read_case(path, own);
+             })) {
     reading.read = std::move(*read);
   } else {
     reading.failure = std::move(read.error());

@@ -275,6 +275,11 @@ std::optional<std::filesystem::path> Binder::data_file(const Node& node, const P
           "one of them must be a file");
     return std::nullopt;
   }
+  if (streamed && standard_input_refused_) {
+    error(node, path, "standard input is not read by a case that was found in a folder",
+          "name the case to have it run");
+    return std::nullopt;
+  }
   auto file = streamed ? base::standard_input_file()
                        : base::resolve_data_path(case_folder_, text, allow_outside_);
   if (!file) {

@@ -184,6 +184,9 @@ class Binder {
   /// memory for their sake can be left out.
   [[nodiscard]] bool flooded() const { return errors() > base::Diagnostics::kMaxKept; }
 
+  /// Makes standard input an error from here on.
+  void refuse_standard_input() { standard_input_refused_ = true; }
+
   /// Counts rows of tables that are read from files, which may name one file again and again.
   /// Returns false once they are more than all tables of a case may have.
   bool count_table_row() { return ++table_rows_ <= kMostTableRows; }
@@ -212,6 +215,7 @@ class Binder {
   std::vector<std::string> data_files_;
   std::size_t table_rows_ = 0;
   bool allow_outside_;
+  bool standard_input_refused_ = false;
   bool environment_failed_ = false;
   bool unknown_names_excused_ = false;
 };

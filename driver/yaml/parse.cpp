@@ -137,11 +137,13 @@ class TreeBuilder : public YAML::EventHandler {
     const Anchored& target = known->second;
     expanded_ += target.extent.nodes;
     expanded_text_ += target.extent.text;
-    if (expanded_ > kAliasBudget || expanded_text_ > kAliasText) {
+    // A file that is longer itself means to do more.
+    const std::size_t most_text = kAliasText + 2 * text_.size();
+    if (expanded_ > kAliasBudget || expanded_text_ > most_text) {
       const bool values = expanded_ > kAliasBudget;
       error(offset, alias_length(offset), current_path(),
             fmt::format("the aliases of this file stand for more than {} {}",
-                        values ? kAliasBudget : kAliasText,
+                        values ? kAliasBudget : most_text,
                         values ? "values" : "characters of long texts"));
       throw StopReading{};
     }

@@ -13,7 +13,8 @@ namespace slipbench::driver::yaml {
 inline constexpr int kDeepestNesting = 64;
 /// Number of nodes that all aliases of a file together may stand for.
 inline constexpr unsigned kAliasBudget = 1'000'000;
-/// Characters of texts longer than any number, such as formulas, that they may stand for.
+/// Characters of texts longer than any number, such as formulas, that they may stand for; twice the
+/// length of the file more.
 inline constexpr unsigned kAliasText = 500'000;
 
 /// Parses one YAML document whose root is a map. Accepted: maps, lists, plain and quoted scalars,

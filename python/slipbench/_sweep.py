@@ -4,6 +4,7 @@ import collections.abc
 import concurrent.futures
 import json
 import os
+import pathlib
 from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Union
 
 from . import _native
@@ -119,15 +120,15 @@ class Checked(NamedTuple):
 
 
 def check(*paths: Union[str, "os.PathLike[str]"], allow_outside: bool = False) -> List[Checked]:
-    """Runs cases and folders of cases and judges their checks, as `slipbench check` does: it finds the same ones. A link out of a
-    folder is not followed unless allow_outside, and does not pass. A case without checks does not pass on nothing: it passes if it runs, and has no
-    verdicts to show."""
+    """Runs cases and folders of cases and judges their checks, as `slipbench check` does: it finds the same ones. A link out of a folder is
+    not followed unless allow_outside, and does not pass. Unlike there, a case of a folder reads standard input if it says so. A case
+    without checks does not pass on nothing: it passes if it runs, and has no verdicts to show."""
     results = []
     for file, fault in _native.find_cases([os.fspath(path) for path in paths or (".",)], allow_outside):
         try:
             if fault:
                 raise SlipbenchError(f"{file}: {fault}")
-            run = load(file, allow_outside=allow_outside).run()
+            run = load(pathlib.Path(file), allow_outside=allow_outside).run()
             results.append(Checked(file, run.passed, run.checks, ""))
         except SlipbenchError as error:
             results.append(Checked(file, False, [], str(error)))

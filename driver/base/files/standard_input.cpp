@@ -5,7 +5,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <string>
@@ -45,16 +44,9 @@ tl::expected<std::filesystem::path, HistoryError> copy_to_memory() {
   return std::filesystem::path(fmt::format("/proc/self/fd/{}", memory));
 }
 
-std::atomic<bool> refused{false};
-
 }  // namespace
 
-void refuse_standard_input() { refused = true; }
-
 tl::expected<std::filesystem::path, HistoryError> standard_input_file() {
-  if (refused) {
-    return input_error("standard input is not read where a folder is searched; name the case");
-  }
   static const auto file = copy_to_memory();
   return file;
 }

@@ -13,8 +13,4 @@ namespace slipbench::driver::base {
 /// by the first call; safe for threads. Errors are of the kind kEnvironment.
 tl::expected<std::filesystem::path, HistoryError> standard_input_file();
 
-/// Makes every later call of it an error of the kind kInput: nobody who has a folder searched means
-/// to feed a case in it, and one that waits for an open pipe never ends.
-void refuse_standard_input();
-
 }  // namespace slipbench::driver::base

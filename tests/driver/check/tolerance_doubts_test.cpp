@@ -158,8 +158,8 @@ TEST_CASE("a reference of which less than half was seen is told with both ranges
   CHECK(doubt(2.0, 3).empty());
   CHECK(doubt(8.0, 5).empty());
   CHECK(doubt(9.0, 5) ==
-        "the reference goes from 0 to 4 only, and the run from 0 to 9; select with 'over' what is "
-        "meant");
+        "the reference goes from 0 to 4 only, and the rows that the check selects from 0 to 9; "
+        "select with 'over' what is meant");
   // Half of the rows, but a small part of the range.
   CHECK_FALSE(coverage_doubt({{0, 1}, {0, 0}, {}}, {{0, 0.5, 1, 9}, {0, 0, 0, 0}, {}}, 3).empty());
 }

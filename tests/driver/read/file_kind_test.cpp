@@ -42,7 +42,7 @@ TEST_CASE("A fit or sweep file is no case if nothing of a case is in it, and if 
   const auto no_case = [&](const std::string& text) {
     return is_no_case(folder.write("f.yaml", text));
   };
-  CHECK(no_case("slipbench: 1\r\ncalibrate : {}\r\n"));
+  CHECK(no_case("slipbench: 1\r\ncalibrate : {vary: {}}\r\n"));
   CHECK(no_case("slipbench: 1\nsweep:\n  case: a.yaml\n"));
   CHECK_FALSE(no_case("title: calibrate: it\n# calibrate:\n  calibrate: 1\n"));
   CHECK_FALSE(no_case("calibrated: true\n"));

@@ -68,7 +68,7 @@ TEST_CASE("fit files of a folder are not cases, whatever else speaks of calibrat
   const TemporaryFolder folder;
   folder.write("case.yaml", "# calibrate:\ntitle: calibrate: me\nfriction: []\n");
   folder.write("fit.yaml", "slipbench: 1\ncalibrate:\n  vary: {mu: {}}\n");
-  folder.write("flat.yaml", "calibrate : {}\n");
+  folder.write("flat.yaml", "calibrate : {vary: {}}\n");
   const std::vector<Candidate> found = find_candidates(std::vector{folder.path().string()});
   CHECK(labels(found) == std::vector<std::string>{"case"});
   // One that is named is asked for: the reader says which command is meant.
