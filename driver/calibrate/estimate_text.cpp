@@ -37,19 +37,16 @@ std::string rounded(double value, int decimals) {
 
 int decimals_of(double error) { return 1 - exponent_of(error, 2); }
 
-/// The same of a value with an error, of which two digits are told however large the error is.
-int decimals_of(double value, double error) {
-  return value == 0.0 ? decimals_of(error) : std::max(decimals_of(error), decimals_of(value));
-}
-
 }  // namespace
 
 ValueAndError value_and_error(double value, double error) {
   if (!is_known(error)) return {fmt::format("{:.6g}", value), "-"};
-  const int decimals = decimals_of(value, error);
+  const int decimals = decimals_of(error);
   const int first = value == 0.0 ? 0 : exponent_of(value, kMostDigits);
   const bool plain = decimals <= 8 && decimals >= -6 && first < 7;
-  return {rounded(value, decimals),
+  // A value far below its error is not 0 for that.
+  const bool is_lost = value != 0.0 && std::abs(value) < std::pow(10.0, -decimals);
+  return {rounded(value, is_lost ? decimals_of(value) : decimals),
           plain ? rounded(error, decimals) : fmt::format("{:.1e}", error)};
 }
 

@@ -65,6 +65,11 @@ std::vector<double> knots_of(const law::FrictionLaw& law, law::IndependentKind k
 
 }  // namespace
 
+std::size_t rows_of(const law::FrictionLaw& law) {
+  const auto* const table = std::get_if<law::TabularCoefficient>(&law);
+  return table == nullptr ? 0 : table->table.table().rows();
+}
+
 CoefficientGrid tabulate(const law::FrictionLaw& law, const RunRange& run) {
   const law::Ambient ambient = run.ambient();
   const auto mu = [&](double rate, double force) {
@@ -91,7 +96,12 @@ CoefficientGrid tabulate(const law::FrictionLaw& law, const RunRange& run) {
   } else {
     forces = {run.contact_force};
   }
-  if (rates.size() > kMostOfGrid / std::max<std::size_t>(1, forces.size())) {
+  for (std::vector<double>* const points : {&rates, &forces}) {
+    std::sort(points->begin(), points->end());
+    points->erase(std::unique(points->begin(), points->end()), points->end());
+  }
+  // A table whose rows are a grid already gets some slip rates and forces more.
+  if (rates.size() * forces.size() > std::max(kMostOfGrid, 2 * rows_of(law))) {
     throw NotExported{"its table has too many slip rates and contact forces for a grid of them"};
   }
   double largest = 0.0;

@@ -266,7 +266,7 @@ class HostileFiles(unittest.TestCase):
         case = SLIDER.format(title="Again", history=STEP.format(name="a"))
         check = "  - {{name: c{0}, quantity: CSF1, against: {{expression: {1}}}, tolerance: {{absolute: 1, why: {2}}}}}\n"
         long = "= 1" + "+t" * 4900
-        words = "the aliases of this file stand for more than 500000 characters of long texts"
+        words = "characters of long texts"
         self.refused_in_time(case + "checks:\n" + check.format(0, f'&e "{long}"', "a") + "".join(check.format(i, "*e", "a") for i in range(1, 900)), words)
         self.refused_in_time(case + "checks:\n" + check.format(0, "'= 20'", "&w " + "why " * 50000) + "".join(check.format(i, "'= 20'", "*w") for i in range(1, 400)), words)
         # As many characters of numbers are a table.
@@ -291,6 +291,16 @@ class HostileFiles(unittest.TestCase):
         self.run_tool("run", "case.yaml", "--no-output")
         # A second or so; some 12 s where the time grows with the square of the length.
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 6 * SECONDS / 20)
+
+    def test_a_table_that_is_a_grid_already_is_exported_whatever_its_size(self):
+        rows = "".join(f"{0.1 + 0.0001 * i + 0.00001 * j},{i},{100 * j}\n" for j in range(1, 181) for i in range(200))
+        self.write("grid.csv", "mu,slip_rate,contact_force\n" + rows)
+        case = SLIDER.format(title="Grid", history=STEP.format(name="a")).replace("coefficient: 0.2", "coefficient: {columns: [mu, slip_rate, contact_force], csv: grid.csv}")
+        self.write("case.yaml", case)
+        self.run_tool("export", "case.yaml", "--to", "table", "-o", "table.csv")
+        ragged = "".join(f"0.2,{i + 0.001 * j},{100 * j}\n" for j in range(1, 181) for i in range(3))
+        self.write("grid.csv", "mu,slip_rate,contact_force\n" + ragged)
+        self.assertIn("too many slip rates and contact forces for a grid", self.run_tool("export", "case.yaml", "--to", "table", "-o", "b.csv", code=2))
 
     def test_what_makes_no_table_is_not_exported(self):
         self.write("case.yaml", "slipbench: 1\nconnector: {type: SLOT}\nfriction:\n  - {component: 1, contact_force: 2, coefficient: {exponential_decay: {static: 0.25, kinetic: 0.1, decay: 1}}}\n"

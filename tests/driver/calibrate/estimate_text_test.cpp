@@ -25,6 +25,13 @@ TEST_CASE("a value has the digits that its standard error leaves") {
   CHECK(digits(0.0, 0.25) == "0.00 +- 0.25");
 }
 
+TEST_CASE("a value far below its error is not told as 0") {
+  CHECK(digits(100.0, 5e4) == "100 +- 50000");
+  CHECK(digits(5.0, 123.0) == "5.0 +- 120");
+  CHECK(digits(1e-7, 0.3) == "1.0e-07 +- 0.30");
+  CHECK(digits(120.0, 300.0) == "120 +- 300");
+}
+
 TEST_CASE("an error that is rounded up to the next power of ten has two digits") {
   CHECK(digits(1.0, 0.00996) == "1.000 +- 0.010");
   CHECK(digits(1234.0, 99.6) == "1230 +- 100");
