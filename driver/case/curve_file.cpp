@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
+#include "driver/base/csv/comment_lines.hpp"
 #include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/csv/printed_digits.hpp"
 #include "driver/base/text/diagnostic.hpp"
@@ -23,26 +23,17 @@ std::string told(const base::HistoryError& error) {
   return fmt::format("{}: {}", place, error.message);
 }
 
-/// Passes over the mark that some editors put before a text.
-void skip_byte_order_mark(std::ifstream& stream) {
-  for (const int byte : {0xEF, 0xBB, 0xBF}) {
-    if (stream.peek() != byte) return;
-    stream.get();
-  }
-}
-
 bool has(std::span<const std::string> names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// Returns how many rows a golden curve had when it was blessed, as it says, or nothing.
 std::string blessed_rows(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  skip_byte_order_mark(stream);
-  for (std::string line; stream.peek() == '#' && std::getline(stream, line);) {
+  for (std::string& line : base::comment_lines(file)) {
     if (!line.starts_with(kGoldenRows)) continue;
-    line.erase(line.find_last_not_of(" \t\r") + 1);
-    return line.substr(std::min(kGoldenRows.size(), line.size()));
+    line.erase(0, kGoldenRows.size());
+    line.erase(line.find_last_not_of(" \t") + 1);
+    return line;
   }
   return {};
 }
@@ -114,8 +105,7 @@ CurveFile::Contents CurveFile::read() const {
       !blessed.empty() && blessed != std::to_string(rows)) {
     found.fault = fmt::format(
         "{}: its rows are {} in number, and '{}' were blessed: it is cut off or edited; restore "
-        "it, "
-        "or bless the case again",
+        "it, or bless the case again",
         source_.shown_name, rows, base::printable(blessed));
     return found;
   }
@@ -173,13 +163,8 @@ tl::expected<void, base::HistoryError> openable_curve(const std::filesystem::pat
 }
 
 bool is_golden_curve(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  skip_byte_order_mark(stream);
-  std::string start(kGoldenMark.size(), '\0');
-  if (!stream.read(start.data(), static_cast<std::streamsize>(start.size()))) return false;
-  if (start != kGoldenMark) return false;
-  const int next = stream.get();
-  return next == '\n' || next == '\r' || next == std::ifstream::traits_type::eof();
+  const std::vector<std::string> lines = base::comment_lines(file);
+  return !lines.empty() && lines.front() == kGoldenMark;
 }
 
 }  // namespace slipbench::driver::cases

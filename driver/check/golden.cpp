@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "driver/base/csv/comment_lines.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/base/text/number.hpp"
@@ -146,12 +147,9 @@ tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const cases::C
 
 GoldenHeader read_golden_header(const fs::path& file) {
   GoldenHeader header;
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);  // the mark
-  while (std::getline(stream, line) && line.starts_with('#')) {
-    if (line.ends_with('\r')) line.pop_back();
-    (line.starts_with(kBlessed) ? header.blessings : header.origin).push_back(line);
+  for (std::string& line : base::comment_lines(file)) {
+    if (line == cases::kGoldenMark) continue;
+    (line.starts_with(kBlessed) ? header.blessings : header.origin).push_back(std::move(line));
   }
   return header;
 }

@@ -35,11 +35,14 @@ double chord_error(const Line& line, double begin, double end, const std::vector
   return error;
 }
 
-/// Halves intervals until their chords are good enough.
-std::vector<double> refined(std::vector<double> points, const Line& line,
-                            const std::vector<double>& others, double tolerance) {
+void sort_and_keep_each_once(std::vector<double>& points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+/// Halves intervals between ascending points until their chords are good enough.
+std::vector<double> refined(std::vector<double> points, const Line& line,
+                            const std::vector<double>& others, double tolerance) {
   for (bool added = true; added;) {
     added = false;
     std::vector<double> more;
@@ -63,12 +66,12 @@ std::vector<double> knots_of(const law::FrictionLaw& law, law::IndependentKind k
   return {knots.begin(), knots.end()};
 }
 
-}  // namespace
-
 std::size_t rows_of(const law::FrictionLaw& law) {
-  const auto* const table = std::get_if<law::TabularCoefficient>(&law);
+  const auto* const table = law::get_law_if<law::TabularCoefficient>(law);
   return table == nullptr ? 0 : table->table.table().rows();
 }
+
+}  // namespace
 
 CoefficientGrid tabulate(const law::FrictionLaw& law, const RunRange& run) {
   const law::Ambient ambient = run.ambient();
@@ -96,10 +99,8 @@ CoefficientGrid tabulate(const law::FrictionLaw& law, const RunRange& run) {
   } else {
     forces = {run.contact_force};
   }
-  for (std::vector<double>* const points : {&rates, &forces}) {
-    std::sort(points->begin(), points->end());
-    points->erase(std::unique(points->begin(), points->end()), points->end());
-  }
+  sort_and_keep_each_once(rates);
+  sort_and_keep_each_once(forces);
   // A table whose rows are a grid already gets some slip rates and forces more.
   if (rates.size() * forces.size() > std::max(kMostOfGrid, 2 * rows_of(law))) {
     throw NotExported{"its table has too many slip rates and contact forces for a grid of them"};

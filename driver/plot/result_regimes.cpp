@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/csv/comment_lines.hpp"
 #include "driver/base/files/regular_file.hpp"
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/source_text.hpp"
@@ -57,7 +58,7 @@ std::optional<EventLine> read_event(std::string_view line) {
 std::optional<std::vector<results::RegimeHistory>> read_events(const fs::path& file,
                                                                const fs::path& result,
                                                                const results::PlotData& data) {
-  const auto comments = results::comment_lines(result);
+  const auto comments = base::comment_lines(result);
   const std::set<std::string> known(comments.begin(), comments.end());
   auto in = base::open_regular(file);
   if (!in) return std::nullopt;

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "driver/base/csv/comment_lines.hpp"
 #include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/number.hpp"
@@ -337,7 +338,7 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
   }
   report.units.emplace_back("energy", base::energy_unit(units));
   use_energy_unit(report, base::energy_unit(units));
-  const auto comments = results::comment_lines(path);
+  const auto comments = base::comment_lines(path);
   const std::set<std::string> lines(comments.begin(), comments.end());
   const auto written = add_summary(beside(path, ".json"), units, lines, report);
   add_events(beside(path, ".events.csv"), lines, report);

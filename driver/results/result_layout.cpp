@@ -4,8 +4,8 @@
 #include <fstream>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
+#include "driver/base/csv/comment_lines.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/base/text/number.hpp"
@@ -96,7 +96,7 @@ ResultLayout layout_of(const cases::Case& problem, std::span<const Column> colum
 ResultLayout read_layout(const std::filesystem::path& file, std::span<const std::string> header) {
   ResultLayout layout;
   layout.columns.assign(header.begin(), header.end());
-  for (std::string line : comment_lines(file)) {
+  for (std::string line : base::comment_lines(file)) {
     line = base::printable(base::out_of_cells(line));
     std::string_view text = line;
     const std::string_view key = take(text, ": ");
@@ -128,19 +128,6 @@ std::string cut_fault(const ResultLayout& layout, const std::filesystem::path& f
   std::ifstream in(file, std::ios::binary);
   if (!in.seekg(-1, std::ios::end) || in.get() == '\n') return {};
   return "its last line has no end: the result is cut off; run the case again";
-}
-
-std::vector<std::string> comment_lines(const std::filesystem::path& file) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  std::vector<std::string> lines;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    if (lines.empty() && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
-    if (!line.starts_with('#')) break;
-    if (line.ends_with('\r')) line.pop_back();
-    lines.push_back(std::move(line));
-  }
-  return lines;
 }
 
 }  // namespace slipbench::driver::results

@@ -46,8 +46,4 @@ ResultLayout read_layout(const std::filesystem::path& file, std::span<const std:
 /// of one that was written to its end has a line feed.
 std::string cut_fault(const ResultLayout& layout, const std::filesystem::path& file);
 
-/// Lines of a file that begin with '#', without their ends, up to its header. The events of a run
-/// have none that its rows have not.
-std::vector<std::string> comment_lines(const std::filesystem::path& file);
-
 }  // namespace slipbench::driver::results

@@ -96,9 +96,7 @@ bool is_searched_too(const std::string& link, std::span<const std::string> paths
   return !error && std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
     std::error_code missing;
     const fs::path folder = fs::canonical(path, missing);
-    return !missing &&
-           std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first ==
-               folder.end();
+    return !missing && base::lies_in(target, folder);
   });
 }
 

@@ -5,19 +5,15 @@ usage: hostile_files_test.py PROGRAM SOURCE_FOLDER
 """
 import ctypes
 import os
-import pathlib
 import re
 import resource
 import shutil
 import subprocess
-import sys
-import tempfile
 import time
 import unittest
 
-PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-SECONDS = 20 * int(os.environ.get("SLIPBENCH_PATIENCE", 1))  # a command that takes longer hangs
-del sys.argv[1:]
+from in_folder import InFolder, PROGRAM, SECONDS, SOURCE
+
 SLIDER = """slipbench: 1
 title: {title}
 connector: {{type: SLOT}}
@@ -54,24 +50,9 @@ PIN, 1, 0.4
 """
 
 
-class HostileFiles(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="hostile-")
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def write(self, name, text):
-        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.folder / name).write_text(text)
-
+class HostileFiles(InFolder):
     def slider(self, name="case.yaml", title="Slider", step="pull"):
         self.write(name, SLIDER.format(title=title, history=STEP.format(name=step)))
-
-    def run_tool(self, *words, code=0, stdin=None, env=None):
-        done = subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, stdin=stdin, timeout=10*SECONDS,
-                              env={**os.environ, **(env or {})})
-        self.assertEqual(done.returncode, code, f"{words}: {done.stdout}{done.stderr}")
-        return done.stdout + done.stderr
 
     def keeps(self, kept, *words, stdin=None):
         """The command ends with 4 for a file that it has read, which stays as it is."""

@@ -14,14 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tells whether `path` is `folder` or lies in it; both without links and dots.
-bool lies_in(const fs::path& path, const fs::path& folder) {
-  const auto [at_folder, at_path] =
-      std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  // A folder written with a slash at its end has an empty last part.
-  return at_folder == folder.end() || at_folder->empty();
-}
-
 /// Tells whether a file lies in a folder that the program was built from or in.
 bool lies_in_build(const fs::path& file) {
   const auto real = [](const fs::path& path) {
@@ -55,6 +47,13 @@ fs::path installed_with(const fs::path& file) {
 }
 
 }  // namespace
+
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  const auto [at_folder, at_path] =
+      std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  // A folder written with a slash at its end has an empty last part.
+  return at_folder == folder.end() || at_folder->empty();
+}
 
 tl::expected<fs::path, HistoryError> resolve_data_path(const fs::path& case_folder,
                                                        std::string_view text, bool allow_outside) {

@@ -10,6 +10,9 @@
 
 namespace slipbench::driver::base {
 
+/// Tells whether `path` is `folder` or lies in it; both without links and dots.
+bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 /// Returns where a file that a case names is: `text` relative to `case_folder`, the folder of the
 /// case.
 ///

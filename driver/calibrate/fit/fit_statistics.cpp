@@ -32,7 +32,7 @@ ScaledSvd scaled_svd(std::span<const double> matrix, std::size_t columns, std::s
     if (!(result.length(j) > 0.0)) result.length(j) = 1.0;
     triangle.col(j) /= result.length(j);
   }
-  // Of few columns this is the method of Jacobi; of a thousand that takes half a minute.
+  // Divides and conquers: the method of Jacobi took over 20 s with a thousand columns.
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
   result.value = svd.singularValues();
   result.vector = svd.matrixV();

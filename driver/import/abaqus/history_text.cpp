@@ -149,7 +149,7 @@ std::vector<Drive> CaseParts::in_effect(const Step& step, const std::vector<Driv
   const auto same = [](const Drive& a, const Drive& b) {
     return a.component == b.component && a.is_load == b.is_load && a.quantity == b.quantity;
   };
-  // Of a step that drives each connector through hundreds of sets, a few say what is wrong.
+  // A step may drive each connector through hundreds of sets: a few notes say what is wrong.
   constexpr int kMostTold = 5;
   int twice = 0;
   std::vector<Drive> drives;
