@@ -60,10 +60,12 @@ CurveFile::Contents CurveFile::read() const {
     return found;
   }
   found.header.assign(probe->header().begin(), probe->header().end());
+  // A file of another format lacks all that is wanted of it; each try reads its first lines again.
+  int tries = 20;
   for (const std::string& name : wanted_) {
     if (probe->find(name)) {
       found.names.push_back(name);
-    } else if (found.remedy.empty()) {
+    } else if (found.remedy.empty() && tries-- > 0) {
       found.remedy = probe->remedy(std::span(&name, 1));
     }
   }

@@ -203,7 +203,7 @@ std::optional<std::string_view> nearest_name(std::string_view word,
   if (word.empty() || word.size() > kLongestWord) return std::nullopt;
   std::optional<std::string_view> nearest;
   std::size_t least = 0;
-  for (const std::string_view candidate : candidates_among(candidates)) {
+  for (const std::string_view candidate : candidates_among(word, candidates)) {
     const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
     const std::size_t allowed = longer / 3;
     // Letters that one of the two has more are as many differences at least.

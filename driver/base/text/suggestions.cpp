@@ -45,13 +45,14 @@ std::size_t name_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-std::span<const std::string_view> candidates_among(std::span<const std::string_view> names) {
+std::span<const std::string_view> candidates_among(std::string_view word,
+                                                   std::span<const std::string_view> names) {
   constexpr std::size_t kMost = 1000;
-  constexpr std::size_t kMostLetters = 10 * kMost;
+  constexpr std::size_t kMostPairs = 200 * kMost;  // of letters
   std::size_t count = 0;
-  for (std::size_t letters = 0; count < std::min(names.size(), kMost); ++count) {
-    letters += names[count].size();
-    if (letters > kMostLetters) break;
+  for (std::size_t pairs = 0; count < std::min(names.size(), kMost); ++count) {
+    pairs += word.size() * names[count].size();
+    if (pairs > kMostPairs) break;
   }
   return names.first(count);
 }
@@ -63,7 +64,7 @@ std::vector<std::string_view> suggestions(std::string_view word,
   constexpr std::size_t kShortestPart = 3;
   if (word.empty() || word.size() > kLongestWord) return {};
   std::vector<std::pair<std::size_t, std::string_view>> ranked;
-  for (const std::string_view name : candidates_among(names)) {
+  for (const std::string_view name : candidates_among(word, names)) {
     const std::size_t distance = name_distance(word, name);
     if (distance <= std::max(word.size(), name.size()) / 3) {
       ranked.emplace_back(distance, name);

@@ -13,10 +13,10 @@ namespace slipbench::driver::base {
 /// So many names are shown at once, at most.
 inline constexpr std::size_t kMostSuggestions = 5;
 
-/// Returns the names that are looked at for one that is near: the first thousand, and fewer of long
+/// Returns the names that are looked at for one near a word: the first thousand, and fewer of long
 /// ones, as comparing two takes a time that grows with the product of their lengths.
 [[nodiscard]] std::span<const std::string_view> candidates_among(
-    std::span<const std::string_view> names);
+    std::string_view word, std::span<const std::string_view> names);
 
 /// Optimal string alignment distance: how many letters must be inserted, deleted, replaced or
 /// swapped with their neighbour; blind to case and to '-' and ' ' against '_'.

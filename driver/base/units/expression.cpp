@@ -37,8 +37,12 @@ tl::unexpected<ExpressionError> failure(std::string message, std::size_t positio
 /// word; this one is called before it.
 int read_number(const char* text, int* position, double* value) {
   if (!is_digit(*text) && *text != '.') return 0;
+  // No further than the number may go: a formula is mostly numbers.
   const char* end = text;
-  while (*end != '\0') ++end;
+  while (is_name_char(*end) || *end == '.' ||
+         ((*end == '+' || *end == '-') && (end[-1] == 'e' || end[-1] == 'E'))) {
+    ++end;
+  }
   const auto [stop, error] = std::from_chars(text, end, *value);
   if (error != std::errc{}) return 0;
   *position += static_cast<int>(stop - text);

@@ -230,7 +230,8 @@ std::optional<AbscissaChoice> read_abscissa(yaml::Binder& binder, const CheckTex
 
 std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const CheckText& text,
                                                 const AbscissaChoice& abscissa,
-                                                const cases::Case& problem, bool may_be_missing) {
+                                                const cases::Case& problem, bool may_be_missing,
+                                                OpenCurve& last) {
   const AgainstText& against = text.against.value;
   if (!against.curve.sound || against.abscissa.faulty() || against.column.faulty()) {
     return std::nullopt;
@@ -249,12 +250,15 @@ std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const Chec
     column_names = {*quantity};
   }
   // Only the units are read here; the check judges the rows.
-  std::optional<base::CsvReader> file;
+  const base::CsvReader* header = nullptr;
   if (result) {
-    const base::DataSource source{result->file, result->shown_name, result->format};
-    if (auto opened = base::CsvReader::open(source, {})) file = std::move(*opened);
+    base::DataSource source{result->file, result->shown_name, result->format};
+    if (last.source != source) {
+      auto opened = base::CsvReader::open(source, {});
+      last = {std::move(source), opened ? std::optional(std::move(*opened)) : std::nullopt};
+    }
+    if (last.file) header = &*last.file;
   }
-  const base::CsvReader* const header = file ? &*file : nullptr;
   const auto over = conversion(binder, against.abscissa, header, abscissa_names, against.curve,
                                abscissa.dimension, "abscissa", problem.units);
   const auto compared = conversion(binder, against.column, header, column_names, against.curve,

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "driver/base/csv/csv_reader.hpp"
+#include "driver/base/csv/data_source.hpp"
 #include "driver/case/case.hpp"
 #include "driver/read/keys/case_text.hpp"
 #include "driver/yaml/binding.hpp"
@@ -27,11 +29,19 @@ std::optional<AbscissaChoice> read_abscissa(yaml::Binder& binder, const CheckTex
                                             const std::vector<std::string>& variables,
                                             const cases::Case& problem);
 
+/// The curve whose header was read last: as a rule the next check names it again.
+struct OpenCurve {
+  base::DataSource source;
+  std::optional<base::CsvReader> file;  ///< nothing if it cannot be read
+};
+
 /// The curve under `against:`.
 /// \param may_be_missing the file need not be there: it is about to be made
+/// \param last is replaced by the curve unless it is that
 std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const CheckText& text,
                                                 const AbscissaChoice& abscissa,
-                                                const cases::Case& problem, bool may_be_missing);
+                                                const cases::Case& problem, bool may_be_missing,
+                                                OpenCurve& last);
 
 /// The column that is named by a check's quantity and nothing else.
 std::optional<std::string> column_of_quantity(std::string_view quantity,
