@@ -19,6 +19,8 @@ namespace {
 // Of what is integrated, in units of its size: far below what is asked of a result.
 constexpr double kOdeTolerance = 1e-13;
 constexpr int kPieces = 64;  // of a stick whose forces are no straight lines
+// Of an increment, with those that look for an instant: a second or two.
+constexpr long kMostSteps = 150'000;
 
 struct FreeStep {
   void operator()(gsl_odeiv2_step* step) const { gsl_odeiv2_step_free(step); }
@@ -167,6 +169,7 @@ double Dynamics::relative_acceleration(double time, const State& state) const {
 
 Dynamics::State Dynamics::step_from(double time, const State& state, double size) {
   if (!(size > 0.0)) return state;
+  ++steps_;
   State y, error;
   for (std::size_t i = 0; i < kEntries; ++i) y[i] = state[i] / scale_[i];
   const gsl_odeiv2_system system = Stepper::system(*this);
@@ -212,7 +215,6 @@ void Dynamics::choose_scales(double time) {
 }
 
 double Dynamics::slip(double time) {
-  constexpr long kMostSteps = 50'000;  // of an increment, in some seconds
   constexpr double kRounding = 1e-13;  // of the size of w
   const auto w_of = [&](const State& state) { return sense_ * state[kRelative]; };
   const gsl_odeiv2_system system = Stepper::system(*this);

@@ -123,7 +123,7 @@ class Dynamics {
   const Quantities* begin_ = nullptr;
   const Quantities* end_ = nullptr;
   double duration_ = 0.0;
-  long steps_ = 0;  ///< in time, of this increment
+  long steps_ = 0;  ///< in time, taken or tried in this increment
   const FollowPositions* follow_ = nullptr;
   bool varying_ = false;
   const char* fault_ = nullptr;

@@ -42,8 +42,8 @@ int step_if_left(void* state, std::size_t dimension, double time, double size, d
 }
 
 /// Lets a mass take so many steps of time from now on, whatever its increments: in a single one it
-/// may take ten million before it gives up, which is seconds and no hang. How many it needs depends
-/// on stiffness, friction and stick-slip, so they are counted where GSL is asked for them.
+/// may take 150,000 before it gives up, which is a second and no hang. How many it needs depends on
+/// stiffness, friction and stick-slip, so they are counted where GSL is asked for them.
 void bound_steps_of_mass(int most) {
   static const gsl_odeiv2_step_type kCounted = [] {
     gsl_odeiv2_step_type counted = method_of_mass();
