@@ -4,7 +4,8 @@
 # undefined-behaviour sanitizers, 60 s unless told otherwise, on the inputs of cases/ and tests/decks, and on runs of some cases.
 # `list` names the targets. The build before it takes 15 to 30 minutes once, on two cores; after a change what that touches.
 # A finding is a crash, a broken promise, an allocation of 256 MB, or 2 s of one processor (SLIPBENCH_FUZZ_TIMEOUT) for an input of
-# up to 16 KB. Exit: 0 nothing found, 1 something found (the input's file is named), 2 a wrong argument.
+# up to 16 KB. What takes so long under the sanitizers is tried again without them, in the release build, which is made if it is not
+# there. Exit: 0 nothing found, 1 something found (the input's file is named), 2 a wrong argument.
 # What is found and mended goes into tests/fuzz/corpus/TARGET, which ctest replays.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -62,7 +63,7 @@ seed() {
       while IFS= read -r line; do
         number=$((number + 1))
         printf "%s" "$line" >"$2/expression_$number"
-      done < <(grep -rhoE '= [^,}"#]+' cases --include='*.yaml' | sort -u)
+      done < <(grep -arhoE '= [^,}"#]+' cases --include='*.yaml' | sort -u)
       ;;
     result)
       local run
@@ -98,8 +99,12 @@ dictionary() {
   } | sort -u | sed 's/ *$//; /^$/d; s/\\/\\\\/g; s/"/\\"/g; s/.*/"&"/'
 }
 
-# is_slow PROGRAM INPUT: whether an input takes that long of a processor when it is run again, alone.
-is_slow() { (ulimit -t "$limit" && exec "$1" -timeout=600 "$2") >/dev/null 2>&1 && return 1 || return 0; }
+# is_slow TARGET INPUT: whether an input takes that long of a processor without sanitizers, which may take twenty times as long.
+is_slow() {
+  configure release
+  build release --target fuzz_replay
+  (ulimit -t "$limit" && exec build/release/tests/fuzz/fuzz_replay "$1" "$2") >/dev/null 2>&1 && return 1 || return 0
+}
 
 # try TARGET: runs a target for its time; says what was covered, and in findings how many inputs were found.
 try() {
@@ -121,8 +126,7 @@ try() {
     edges=$(grep -oE 'cov: [0-9]+' "$log" | tail -n 1 | cut -c6- || true)
     [ "$code" -ne 0 ] || break
     input=$(find "$found" -type f -name 'timeout-*' | head -n 1)
-    # Of a processor that others use as well, 2 s of the clock are less.
-    if [ -n "$input" ] && ! is_slow "$program" "$input"; then
+    if [ -n "$input" ] && ! is_slow "$name" "$input"; then
       rm "$input"
       continue
     fi
