@@ -46,12 +46,13 @@ constexpr double kNothing = 1e-100;
 constexpr double kJump = 1e-6;
 
 /// Seeds that have found something, in the law or in what this test takes for an error.
-constexpr std::array<std::uint64_t, 35> kFound{
+constexpr std::array<std::uint64_t, 36> kFound{
     1233, 1692, 1906,  // work: the fraction at which a potential's limit is met
     1394, 1529, 2419, 2841, 2953, 4648,
     4840,                    // forces on a potential with shifts, or several terms a part
     1274, 1399, 2916, 4121,  // a cancelling limit, coefficient of 1e-400, onset, work of 1e-103
     20261126006602,          // a coefficient near its minimum of 0
+    20261128041972,          // an internal contact force that has just worn away
     20261126008510, 20261226001905, 20261226026588,  // where a limit is met after 1e30 elastic
                                                      // slips, or from far outside
     20261126014213, 20261126023302, 20261126033775,  // a force gone after 1e20 elastic slips

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "law/contact/internal_contact_force.hpp"
 #include "law/definition/capstan_limit.hpp"
 #include "law/definition/limit_function.hpp"
 #include "law/definition/motion.hpp"
@@ -129,7 +130,14 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   const double by_force = viscous ? u.limit / stiff : 0.0;
   tell("slip rate", u.slip_rate,
        increment.duration > 0.0 ? (gone + by_force) / increment.duration : 0.0);
-  tell("wear", u.wear, 0.0);
+  // Where the internal contact force is worn away, its rounding says whether it wears on.
+  const double slipped = definition.accumulated_slip == law::AccumulatedSlipTiming::kEnd
+                             ? u.state.accumulated_slip
+                             : old.accumulated_slip;
+  const double left =
+      law::evaluate(definition.internal_contact_force, increment.end, slipped).value;
+  const bool worn_away = left <= 1e-14 * std::abs(u.wear) * slipped;
+  tell("wear", u.wear, worn_away && u.wear < 0.0 ? any : 0.0);
   tell("phi", u.phi, trial + std::abs(u.tangent.radial) * way + by_slip);
   tell("dissipation", u.dissipation, both * way);
   tell("stored energy", u.stored_energy, y * s);
