@@ -167,6 +167,19 @@ std::string syntax_message(const mu::ParserError& error) {
   return message;
 }
 
+/// Makes muParser read a name, once in all. Its own number reader tries each, in a stream, and
+/// libstdc++ notes what the stream's locale says of numbers at the first use: other threads must
+/// not come upon that while it is written.
+void look_up_locale_once() {
+  [[maybe_unused]] static const double kRead = [] {
+    double x = 0.0;
+    mu::Parser parser;
+    parser.DefineVar("x", &x);
+    parser.SetExpr("x");
+    return parser.Eval();
+  }();
+}
+
 }  // namespace
 
 /// Needs of a copy to compile again, the compiled formula and the numbers it reads. muParser
@@ -279,6 +292,7 @@ tl::expected<Expression, ExpressionError> Expression::compile(
     program->numbers.push_back(number);
   }
 
+  look_up_locale_once();
   try {
     program->load();
     // muParser parses at the first evaluation; do it now, for the errors' sake.
