@@ -18,9 +18,8 @@ namespace {
 
 // Of what is integrated, in units of its size: far below what is asked of a result.
 constexpr double kOdeTolerance = 1e-13;
-constexpr int kPieces = 64;  // of a stick whose forces are no straight lines
-// Of an increment, with those that look for an instant: a second or two.
-constexpr long kMostSteps = 150'000;
+constexpr int kPieces = 64;           // of a stick whose forces are no straight lines
+constexpr long kMostSteps = 150'000;  // of an increment, those that look for an instant among them
 
 struct FreeStep {
   void operator()(gsl_odeiv2_step* step) const { gsl_odeiv2_step_free(step); }
