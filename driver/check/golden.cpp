@@ -179,7 +179,7 @@ GoldenHeader golden_header(const cases::Case& problem, const GoldenCurve& curve,
   }
   std::string columns;
   for (const GoldenColumn& column : curve.columns) {
-    columns += fmt::format("{}{} [{}]", columns.empty() ? "# columns: " : ", ",
+    columns += fmt::format("{}{} [{}]", columns.empty() ? base::kColumnsMark : ", ",
                            in_one_line(column.name), column.unit);
   }
   header.origin.push_back(std::move(columns));

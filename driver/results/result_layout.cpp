@@ -104,10 +104,9 @@ ResultLayout read_layout(const std::filesystem::path& file, std::span<const std:
     if (key == "# units") layout.units = read_pairs(text, " ");
     if (key == "# parameters") layout.parameters = read_pairs(text, " = ");
     if (key == "# friction") layout.friction = read_friction(text);
-    if (key == "# columns") {
-      for (auto& [name, unit] : read_pairs(text, " [")) {
-        if (unit.ends_with(']')) unit.pop_back();
-        layout.column_units[name] = unit;
+    if (line.starts_with(base::kColumnsMark)) {
+      for (auto& [name, unit] : base::column_units(line)) {
+        layout.column_units[std::move(name)] = std::move(unit);
       }
     }
     if (key == "# direction1") {

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "driver/base/csv/comment_lines.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/results/result_layout.hpp"
@@ -53,7 +54,7 @@ table::TableHead row_head(const cases::Case& problem, std::span<const Column> co
   head.lines += friction_line(layout) + direction_line(layout);
   std::string units;
   for (const Column& column : columns) {
-    units += (units.empty() ? "# columns: " : ", ") + column.name + " [" +
+    units += (units.empty() ? std::string(base::kColumnsMark) : ", ") + column.name + " [" +
              base::unit_text(column.dimension, problem.units) + "]";
     head.columns.push_back(column.name);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/base/csv/comment_lines.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <fstream>
 #include <utility>
 
@@ -17,6 +19,22 @@ std::vector<std::string> comment_lines(const std::filesystem::path& file) {
     lines.push_back(std::move(line));
   }
   return lines;
+}
+
+std::vector<std::pair<std::string, std::string>> column_units(std::string_view line) {
+  constexpr std::string_view kBetween = ", ";
+  std::vector<std::pair<std::string, std::string>> units;
+  line.remove_prefix(std::min(kColumnsMark.size(), line.size()));
+  while (!line.empty()) {
+    const std::size_t end = std::min(line.find(kBetween), line.size());
+    const std::string_view entry = line.substr(0, end);
+    const std::size_t bracket = std::min(entry.find(" ["), entry.size());
+    std::string_view unit = entry.substr(std::min(bracket + 2, entry.size()));
+    if (unit.ends_with(']')) unit.remove_suffix(1);
+    units.emplace_back(entry.substr(0, bracket), unit);
+    line.remove_prefix(std::min(end + kBetween.size(), line.size()));
+  }
+  return units;
 }
 
 }  // namespace slipbench::driver::base

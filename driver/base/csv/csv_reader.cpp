@@ -8,11 +8,14 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
+#include "driver/base/csv/comment_lines.hpp"
 #include "driver/base/csv/csv_fields.hpp"
 #include "driver/base/csv/csv_guess.hpp"
 #include "driver/base/csv/csv_words.hpp"
@@ -39,6 +42,7 @@ struct CsvReader::File {
   std::vector<double> held;  ///< The numbers of the last row, where missing ones are held.
   std::vector<std::string> header;
   std::vector<std::string> units;  ///< Of the columns, where there is a row of units.
+  std::map<std::string, std::string, std::less<>> stated;  ///< Units of columns, before the header.
   long header_line = 0;
   long rows_line = 0;
   off_t rows_offset = 0;
@@ -116,6 +120,10 @@ tl::expected<std::optional<std::string_view>, HistoryError> CsvReader::File::nex
     if (lines.next_line <= format.skip + 1) continue;
     const std::size_t text = line.find_first_not_of(" \t");
     if (text != std::string_view::npos && line[text] != '#') return line;
+    if (header.empty() && line.starts_with(kColumnsMark)) {
+      for (auto& [name, unit] : column_units(line))
+        stated.emplace(std::move(name), std::move(unit));
+    }
   }
 }
 
@@ -482,7 +490,10 @@ std::string_view CsvReader::unit(std::string_view column) const {
   if (!found) return {};
   if (!file_->units.empty() && !file_->units[*found].empty()) return file_->units[*found];
   const std::string_view unit = split_column_name(file_->header[*found]).unit;
-  return is_unit_or_dash(unit) ? unit : std::string_view();
+  if (is_unit_or_dash(unit)) return unit;
+  const auto stated = file_->stated.find(file_->header[*found]);
+  const bool known = stated != file_->stated.end() && is_unit_or_dash(stated->second);
+  return known ? std::string_view(stated->second) : std::string_view();
 }
 
 std::string CsvReader::remedy(std::span<const std::string> columns) const {

@@ -75,8 +75,9 @@ class CsvReader {
   /// The column of the file that is meant by a name; nothing if there is none, or more than one.
   std::optional<std::size_t> find(std::string_view column) const;
 
-  /// The unit that the file states for a column, in its row of units or else behind the name in the
-  /// header ("-" where it says there is none); empty if it states none, and for what is no unit
+  /// The unit that the file states for a column: in its row of units, or else behind the name in the
+  /// header, or else in a line "# columns: NAME [unit], .." above it, as the program's own files
+  /// have it ("-" where it says there is none). Empty if it states none, and for what is no unit
   /// ("Force (left)").
   std::string_view unit(std::string_view column) const;
 
