@@ -39,6 +39,7 @@
 #include "driver/results/provenance.hpp"
 #include "driver/results/reproducer.hpp"
 #include "driver/results/row_writer.hpp"
+#include "driver/results/run_files.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
@@ -263,8 +264,15 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
     base::json::Value document =
         check::run_document(problem, summary, read.diagnostics, warnings, verdicts);
     document["rows"] = count;  // whoever reads them sees whether some are missing
+    std::vector<base::OutputFile*> together = {&files->rows, &*files->events};
+    for (base::OutputFile* file : together) {
+      if (auto closed = file->close(); !closed) {
+        return terminal::refuse(base::kExitEnvironment, closed.error());
+      }
+    }
+    document["files"] = results::list_of_files(together);
     files->summary->append(document.dump(2) + "\n");
-    std::vector<base::OutputFile*> together = {&files->rows, &*files->events, &*files->summary};
+    together.push_back(&*files->summary);
     if (files->solver) together.push_back(&*files->solver);
     if (auto committed = base::commit(together); !committed) {
       return terminal::refuse(base::kExitEnvironment, committed.error());

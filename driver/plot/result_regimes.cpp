@@ -18,6 +18,7 @@
 #include "driver/base/text/source_text.hpp"
 #include "driver/results/events.hpp"
 #include "driver/results/result_layout.hpp"
+#include "driver/results/run_files.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver::plot {
@@ -133,17 +134,23 @@ void take_sums(const yaml::Node& summary, const std::string& name,
 }  // namespace
 
 bool take_events_beside(const fs::path& result, results::PlotData& data) {
-  auto histories = read_events(fs::path(result).replace_extension(".events.csv"), result, data);
+  const fs::path events = fs::path(result).replace_extension(".events.csv");
+  // JSON is YAML; the reader of cases is strict and has its limits.
+  const auto source = base::read_source(fs::path(result).replace_extension(".json").string());
+  std::optional<yaml::Tree> json;
+  if (source) {
+    if (auto tree = yaml::parse_yaml(*source)) json.emplace(std::move(*tree));
+  }
+  if (json &&
+      !(results::is_listed(json->root(), result) && results::is_listed(json->root(), events)))
+    return false;
+  auto histories = read_events(events, result, data);
   if (!histories) return false;
   for (std::size_t d = 0; d < histories->size(); ++d) {
     data.definitions[d].regimes = std::move((*histories)[d]);
   }
-  // JSON is YAML; the reader of cases is strict and has its limits.
-  const auto source = base::read_source(fs::path(result).replace_extension(".json").string());
-  if (!source) return true;
-  const auto tree = yaml::parse_yaml(*source);
-  if (!tree) return true;
-  const auto summary = tree->root().find("summary");
+  if (!json) return true;
+  const auto summary = json->root().find("summary");
   if (!summary) return true;
   for (results::PlotDefinition& definition : data.definitions) {
     take_sums(*summary, definition.name, definition.regimes);

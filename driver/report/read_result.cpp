@@ -23,6 +23,7 @@
 #include "driver/report/row_choice.hpp"
 #include "driver/results/regime_history.hpp"
 #include "driver/results/result_layout.hpp"
+#include "driver/results/run_files.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/yaml/parse.hpp"
 
@@ -165,32 +166,41 @@ bool is_of_run(const yaml::Node& root, const std::set<std::string>& lines,
          });
 }
 
+/// Statements of a JSON on the files beside it.
+struct Written {
+  std::optional<std::int64_t> rows;  ///< how many were written
+  bool events = true;                ///< no other run's than the rows, as far as it knows
+};
+
 /// Takes what the JSON beside a result tells; one that is missing tells nothing, and one that is
-/// broken, or of another run, is warned of. Returns how many rows were written, if it says so.
-std::optional<std::int64_t> add_summary(const fs::path& file, const base::UnitSystem& units,
-                                        const std::set<std::string>& lines, CaseReport& report) {
+/// broken, or of another run, is warned of.
+Written add_summary(const fs::path& result, const base::UnitSystem& units,
+                    const std::set<std::string>& lines, CaseReport& report) {
   constexpr const char* kLost = "the verdicts of the checks are unknown";
+  const fs::path file = beside(result, ".json");
   std::error_code ignored;
-  if (!fs::exists(file, ignored)) return std::nullopt;
+  if (!fs::exists(file, ignored)) return {};
   // JSON is YAML; the reader of cases is strict and has its limits.
   const auto source = base::read_source(file.string());
   if (!source) {
     warn_of(file, source.error().diagnostic.message, kLost, report);
-    return std::nullopt;
+    return {};
   }
   const auto tree = yaml::parse_yaml(*source);
   if (!tree) {
     const auto faults = tree.error().sorted();
     warn_of(file, faults.empty() ? "no JSON" : faults.front().message, kLost, report);
-    return std::nullopt;
+    return {};
   }
   const yaml::Node root = tree->root();
-  if (!is_of_run(root, lines, report)) {
+  const bool listed = results::is_listed(root, result);
+  Written written{{}, listed && results::is_listed(root, beside(result, ".events.csv"))};
+  const bool of_case = is_of_run(root, lines, report);
+  if (of_case && number_in(root, "rows")) written.rows = count_in(root, "rows");
+  if (!of_case || !listed) {
     warn_of(file, kOtherRun, kLost, report);
-    return std::nullopt;
+    return written;
   }
-  std::optional<std::int64_t> rows;
-  if (number_in(root, "rows")) rows = count_in(root, "rows");
   if (const auto summary = root.find("summary")) {
     const double duration = number_in(*summary, "end_time").value_or(0.0) -
                             number_in(*summary, "start_time").value_or(0.0);
@@ -216,11 +226,11 @@ std::optional<std::int64_t> add_summary(const fs::path& file, const base::UnitSy
   if (const auto checks = root.find("checks")) {
     for (const yaml::Node check : checks->items()) report.checks.push_back(read_check(check));
   }
-  if (report.checks.empty()) return rows;
+  if (report.checks.empty()) return written;
   const bool passed = std::all_of(report.checks.begin(), report.checks.end(),
                                   [](const ReportCheck& check) { return check.verdict.passed; });
   report.status = passed ? ReportStatus::kPassed : ReportStatus::kFailed;
-  return rows;
+  return written;
 }
 
 std::vector<std::string_view> fields_of(std::string_view line) {
@@ -233,12 +243,17 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   }
 }
 
-/// Takes the events beside a result; lines that are none are passed over.
-void add_events(const fs::path& file, const std::set<std::string>& lines, CaseReport& report) {
+/// Takes the events beside a result, if they are of its run; lines that are none are passed over.
+void add_events(const fs::path& file, bool of_run, const std::set<std::string>& lines,
+                CaseReport& report) {
   constexpr const char* kNoEvents = "there is no list of events";
   constexpr std::size_t kFirstPosition = 7;
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return;
+  if (!of_run) {
+    warn_of(file, kOtherRun, kNoEvents, report);
+    return;
+  }
   std::ifstream in(file);
   std::string line;
   std::vector<std::string> header;
@@ -340,8 +355,8 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
   use_energy_unit(report, base::energy_unit(units));
   const auto comments = base::comment_lines(path);
   const std::set<std::string> lines(comments.begin(), comments.end());
-  const auto written = add_summary(beside(path, ".json"), units, lines, report);
-  add_events(beside(path, ".events.csv"), lines, report);
+  const Written written = add_summary(path, units, lines, report);
+  add_events(beside(path, ".events.csv"), written.events, lines, report);
 
   std::vector<std::size_t> status;  // of each definition, its column; the number of columns if none
   for (const ReportDefinition& definition : report.definitions) {
@@ -380,13 +395,13 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
     before = row;
   }
   report.rows_total = rows.count();
-  if (written && *written != rows.count()) {
+  if (written.rows && *written.rows != rows.count()) {
     return unreadable(
         name, {base::HistoryError::Kind::kInput, path, 0, 0,
                fmt::format(
                    "its rows are {} in number, and {} were written with {}: it is cut off, edited, "
                    "or of another run; run the case again",
-                   rows.count(), *written, beside(path, ".json").filename().string())});
+                   rows.count(), *written.rows, beside(path, ".json").filename().string())});
   }
   report.drawn = rows.finish(worst.rows());
   if (report.increments == 0) report.increments = std::max<std::int64_t>(rows.count() - 1, 0);

@@ -294,6 +294,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       place_(std::move(other.place_)),
       temporary_(std::move(other.temporary_)),
       buffer_(std::move(other.buffer_)),
+      hash_(other.hash_),
       error_(std::move(other.error_)),
       mark_(std::move(other.mark_)),
       force_(other.force_),
@@ -337,6 +338,7 @@ void OutputFile::flush() {
     data += written;
     left -= static_cast<std::size_t>(written);
   }
+  hash_.add(buffer_);
   buffer_.clear();
 }
 

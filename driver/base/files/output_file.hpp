@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "driver/base/files/file_mark.hpp"
+#include "driver/base/text/hash.hpp"
 
 namespace slipbench::driver::base {
 
@@ -98,6 +99,9 @@ class OutputFile {
   /// is written.
   tl::expected<void, std::string> need_name();
 
+  /// The hash of all that was appended, once it is closed; what `replace_start` and libraries write
+  /// has no part in it.
+  const StreamHash& hash() const { return hash_; }
   /// Bytes so far, those in the buffer among them.
   std::uintmax_t size() const;
   /// The name it was asked for by.
@@ -131,6 +135,7 @@ class OutputFile {
   std::filesystem::path place_;  ///< where it will be, links followed
   std::filesystem::path temporary_;
   std::string buffer_;
+  StreamHash hash_;
   std::string error_;
   FileMark mark_;
   bool force_ = false;
