@@ -244,6 +244,10 @@ Coefficient read_coefficient(const KeywordDeck& deck, const Block& block) {
       return coefficient;
     }
   }
+  if (const Parameter* const slope = block.find("SHEAR TRACTION SLOPE")) {
+    deck.warning(slope->where, block, "SHEAR TRACTION SLOPE is not read",
+                 "a connector's stiffness in stick is STICK STIFFNESS of *CONNECTOR FRICTION");
+  }
   coefficient.fields = count_of(deck, block, "DEPENDENCIES");
   coefficient.force_limit = number_of(deck, block, "TAUMAX", 0.0);
   coefficient.slip_tolerance = number_of(deck, block, "SLIP TOLERANCE", 0.0);

@@ -154,6 +154,11 @@ std::string CaseParts::connector_text() {
         "the axes of node b are turned against those of a: positions of rotations begin at 0 "
         "here");
   }
+  const law::ComponentSet moving = connection_.info.available & law::ComponentSet::of(1, 2, 3);
+  if (!connector_.position && (belt_ || !moving.empty())) {
+    notes_.emplace_back(
+        "the places of its nodes, or its axes, are not known: positions begin at 0 here");
+  }
   if (belt_) {
     text +=
         "  wrap_angle: " +

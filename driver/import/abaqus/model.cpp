@@ -341,9 +341,17 @@ class Reader {
   void read_in_step(const Block& block) {
     const std::string_view keyword = block.keyword;
     if (keyword != "FRICTION") change_open_ = false;
+    if (step_block_->has("PERTURBATION")) {
+      ++model_.passed_over;
+      return;
+    }
     if (keyword == "STATIC" || keyword == "DYNAMIC" || keyword == "VISCO") {
       has_time_ = true;
       step_->is_static = keyword != "DYNAMIC";
+      if (block.has("RIKS")) {
+        deck_.warning(block.find("RIKS")->where, block,
+                      "the load factor of RIKS is not followed: loads rise with time here");
+      }
       const std::vector<Row> rows = read_rows(deck_, block, deck_.lines(block), 8, "times");
       const auto at = [&](std::size_t i) {
         return !rows.empty() && rows[0].size() > i ? rows[0][i].value_or(0.0) : 0.0;
@@ -465,8 +473,10 @@ class Reader {
     if (has_time_) {
       model_.steps.push_back(std::move(*step_));
     } else {
-      model_.notes.push_back(fmt::format("{} ({}) has no *STATIC or *DYNAMIC", step_->name,
-                                         deck_.place(step_->where)));
+      model_.notes.push_back(fmt::format("{} ({}) {}", step_->name, deck_.place(step_->where),
+                                         step_block_->has("PERTURBATION")
+                                             ? "is a perturbation, which changes no state"
+                                             : "has no *STATIC or *DYNAMIC"));
     }
     step_.reset();
   }

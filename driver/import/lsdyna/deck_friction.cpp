@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -86,6 +87,14 @@ import::ContactRecord record(const Coefficients& set, bool limited, double facto
 
 bool is_option(std::string_view keyword, std::string_view option) {
   return keyword.find(std::string("_") + std::string(option)) != keyword.npos;
+}
+
+/// Tells whether a card is the second one of the option MPP, which has '&' in its first column; a
+/// parameter's name behind it makes it another one.
+bool is_second_of_mpp(std::string_view card) {
+  if (!card.starts_with('&')) return false;
+  const std::size_t next = card.find_first_not_of(' ', 1);
+  return next == card.npos || !std::isalpha(static_cast<unsigned char>(card[next]));
 }
 
 /// Reads all that a friction may be made of.
@@ -190,11 +199,14 @@ class FrictionReader {
     const std::size_t first = is_option(block.keyword, "TITLE") ? 1 : 0;
     const int id = cards.id(first, 0, "TBID");
     const bool names_curves = is_option(block.keyword, "TABLE_2D");
+    const double scale = cards.number(first, 1, "SFA");
+    const double offset = cards.number(first, 2, "OFFA");
     Table table;
     table.block = index;
     for (std::size_t card = first + 1; card < cards.count(); ++card) {
       if (cards.is_blank(card)) continue;
-      table.values.emplace_back(cards.number(card, 0, "VALUE", 20),
+      const double value = cards.number(card, 0, "VALUE", 20) + offset;
+      table.values.emplace_back(scale == 0.0 ? value : scale * value,
                                 names_curves ? cards.id(card, 1, "LCID", 20) : 0);
     }
     keep(tables_, id, std::move(table), cards, first);
@@ -222,8 +234,9 @@ class FrictionReader {
       for (std::size_t side = 0; side < 2; ++side) {
         const int number = cards.id(card, side, "PID");
         if (number <= 0) cards.refuse(card, side, "wanted the id of a part or of a set of parts");
-        std::string type(cards.text(card, 6 + side));
-        const bool is_set = type == "PSET" || type == "pset";
+        const std::string_view type = cards.text(card, 6 + side);
+        const bool is_set = type == "PSET" || type == "pset" || type == "Pset";
+        if (!is_set && !type.empty()) cards.refuse(card, 6 + side, "wanted PSET or nothing");
         pair.sides[side] = (is_set ? "S" : "") + std::to_string(number);
         if (is_set && met.insert(number).second) {
           const auto group = groups_.find(number);
@@ -247,12 +260,13 @@ class FrictionReader {
   }
 
   void read_contact(const Block& block) {
-    constexpr std::array<std::string_view, 9> kOther{
-        "CONTACT_1D",       "CONTACT_2D",     "CONTACT_INTERIOR",
-        "CONTACT_ENTITY",   "CONTACT_GEBOD",  "CONTACT_COUPLING",
-        "CONTACT_ADD_WEAR", "CONTACT_AUTO_M", "CONTACT_EXCLUDE"};
-    if (std::any_of(kOther.begin(), kOther.end(),
-                    [&](std::string_view one) { return block.keyword.starts_with(one); }) ||
+    constexpr std::array<std::string_view, 5> kWithoutFriction{
+        "CONTACT_INTERIOR", "CONTACT_COUPLING", "CONTACT_ADD_WEAR", "CONTACT_AUTO_M",
+        "CONTACT_EXCLUDE"};
+    constexpr std::array<std::string_view, 4> kOther{"CONTACT_1D", "CONTACT_2D", "CONTACT_ENTITY",
+                                                     "CONTACT_GEBOD"};
+    const auto begins = [&](std::string_view one) { return block.keyword.starts_with(one); };
+    if (std::ranges::any_of(kWithoutFriction, begins) ||
         is_option(block.keyword, "FORCE_TRANSDUCER")) {
       return;
     }
@@ -276,10 +290,14 @@ class FrictionReader {
     }
     ids_.insert(found.id);
     found.friction.name += fmt::format(" {}", found.id);
+    if (std::ranges::any_of(kOther, begins)) {
+      found.passed_over = "contacts of its kind are not read";
+      found_.push_back(std::move(found));
+      return;
+    }
     if (is_option(block.keyword, "MPP")) {
       ++first;
-      // Its second card is there if it begins with '&'.
-      if (cards.text(first, 0).starts_with('&')) ++first;
+      if (first < block.cards.size() && is_second_of_mpp(block.cards[first])) ++first;
     }
     if (is_option(block.keyword, "TIED") || is_option(block.keyword, "SPOTWELD")) {
       found.passed_over = "is tied: no friction";

@@ -98,16 +98,24 @@ class Splitter {
       return Cards::kNone;
     }
     bool is_long = long_;
-    while (!keyword.empty() && (keyword.back() == '+' || keyword.back() == '-')) {
-      is_long = keyword.back() == '+';
-      keyword.pop_back();
+    const std::size_t end = std::min(keyword.find_first_of(kBlanks), keyword.size());
+    const std::string rest(trimmed(keyword.substr(end)));
+    keyword.resize(end);
+    const char sign = rest.empty() ? keyword.back() : rest.front();
+    if (sign == '+' || sign == '-') is_long = sign == '+';
+    while (!keyword.empty() && (keyword.back() == '+' || keyword.back() == '-')) keyword.pop_back();
+    const bool is_include = keyword == "INCLUDE";
+    if ((is_include || is_read(keyword)) && rest.find_first_not_of("+-%$") == 0) {
+      out_.error(deck_.texts.name(line), deck_.texts.position(trimmed(line)), "*" + keyword,
+                 "text behind the keyword: what it means is not known",
+                 "what belongs to it stands in the lines below; comments begin with '$'");
+      return Cards::kNone;
     }
-    keyword = std::string(trimmed(keyword));
-    if (keyword == "INCLUDE") return Cards::kFiles;
+    if (is_include) return Cards::kFiles;
     if (keyword.starts_with("INCLUDE_")) {
       out_.warning(deck_.texts.name(line), deck_.texts.position(trimmed(line)), "*" + keyword,
                    "is not followed: what it brings is missing here",
-                   "*INCLUDE is: give the ids their offsets in the file");
+                   "*INCLUDE is: give the file the ids and the units that it has in the deck");
       return Cards::kNone;
     }
     if (!is_read(keyword)) return Cards::kNone;

@@ -88,6 +88,15 @@ class Cards {
     return 0.0;
   }
 
+  /// Refuses a block that ends before a card that it announces.
+  void want(std::size_t card_number, std::string_view what) {
+    if (card_number <= count()) return;
+    sound_ = false;
+    out_.error(deck_.texts.name(block_.keyword), deck_.texts.position(block_.keyword),
+               shortened(block_.keyword, 40),
+               fmt::format("FRIC006: the card of {} is missing: the block ends before it", what));
+  }
+
   /// Tells whether a card can be that of the boundary conditions: its first field has three digits
   /// 0 or 1 at its end, or fewer, and nothing before them.
   bool is_boundary(std::size_t number) const {
@@ -176,12 +185,16 @@ void read_law(Cards& cards, std::size_t laws, const Friction& friction, int vers
     }
   }
   DeckCoefficients& set = own.otherwise;
+  // Before version 51 there are layouts without them.
+  const bool has_constants = version >= 51 && own.law <= 4;
   if (own.law > 0) {
+    if (has_constants) cards.want(constants, "C1 to C5");
     set.where = cards.card(constants);
     for (std::size_t i = 0; i < 5; ++i) {
       set.c[i] = cards.number(constants, 20 * i, 20, "C" + std::to_string(i + 1), false);
     }
   }
+  if (own.law > 1 && has_constants) cards.want(constants + 1, "C6");
   if (own.law > 1) set.c[5] = cards.number(constants + 1, 0, 20, "C6", false);
 }
 
@@ -222,14 +235,19 @@ DeckInterface read_interface(const StarterDeck& deck, const DeckBlock& block,
     const double curvature = cards.number(1, 80, 10, "Icurv", true);
     if (curvature == 1.0 || curvature == 2.0) ++boundary;
   }
-  if (!cards.is_boundary(boundary)) boundary = cards.marked_boundary();
-  if (boundary == 0) {
+  const std::size_t marked = cards.marked_boundary();
+  const bool is_there = cards.is_boundary(boundary);
+  // TYPE24 and 25 have such digits on a card of their own, too.
+  const bool alone = type != 24 && type != 25;
+  if ((is_there && alone && marked != 0 && marked != boundary) || (!is_there && marked == 0)) {
     one.unread = fmt::format(
-        "card {} of a TYPE{} of version {} has the digits of IBC, and friction beside it; here it "
-        "has not, and no other card alone has 000 in columns 8 to 10",
-        layout.boundary_card, type, version);
+        "card {} of a TYPE{} of version {} has the digits of IBC, and friction beside it; here {}",
+        layout.boundary_card, type, version,
+        is_there ? fmt::format("card {} has 000 in columns 8 to 10", marked)
+                 : "it has not, and no other card alone has 000 in columns 8 to 10");
     return one;
   }
+  if (!is_there) boundary = marked;
   DeckCoefficients& set = own.otherwise;
   set.where = cards.card(boundary - 1);
   set.rest = set.where;
