@@ -274,8 +274,12 @@ void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment
     quantity.sound = true;
     auto compiled = read::compile_expression(binder_, quantity, variables);
     if (!compiled) continue;
-    if (compiled->variables.empty()) {
-      binder_.error(*compare.key, compare.path, "is the same number whatever the model does");
+    // Parameters alone would be fitted to the data without a model.
+    if (std::ranges::none_of(compiled->variables, [&](const std::string& name) {
+          return name != "t" && results::find_column(problem, columns, name).has_value();
+        })) {
+      binder_.error(*compare.key, compare.path, "is the same number whatever the model does",
+                    "name a result column in it, such as CSF1");
       continue;
     }
     if (!column && value.unit.sound) {

@@ -104,6 +104,21 @@ std::string dimensionless_doubt(const cases::Check& check, const Measure& measur
                      one);
 }
 
+/// A tolerance of positions as wide as the reference lets every position pass.
+void doubt_positions(const Series& reference, Verdict& verdict) {
+  const double width = extent(reference.abscissa).width();
+  for (const Measure& measure : verdict.measures) {
+    if (measure.unit != MeasureUnit::kAbscissa || !std::isfinite(measure.tolerance) ||
+        measure.tolerance < width) {
+      continue;
+    }
+    verdict.warnings.push_back(
+        fmt::format("the tolerance of {:.3g} for the {} is as wide as the reference itself, {:.3g}",
+                    measure.tolerance, measure.name, width));
+    return;
+  }
+}
+
 void doubt_measures(const cases::Check& check, const ReferenceCurve& reference, Verdict& verdict) {
   const Measure* worst = worst_doubted(verdict);
   if (worst == nullptr || worst->unit == MeasureUnit::kAbscissa) return;
@@ -167,6 +182,7 @@ void judge_measures(const cases::Check& check, const CheckLabels& labels, const 
   verdict.failing = std::count_if(verdict.measures.begin(), verdict.measures.end(),
                                   [](const Measure& measure) { return !measure.passed(); });
   if (verdict.failing > 0) verdict.message = measures_message(verdict, labels, rows.value);
+  doubt_positions(reference.series, verdict);
   doubt_measures(check, reference, verdict);
   doubt_coverage(check, rows, reference.series, rows_in_common(rows.value, reference.series),
                  verdict);
@@ -212,6 +228,7 @@ void conclude(const cases::Check& check, const CheckLabels& labels, const PointJ
   doubt(check.tolerance,
         {.scale = result.scale,
          .worst = verdict.worst.size(),
+         .largest = digits.golden ? std::nullopt : std::optional(result.largest),
          .resolution = digits.resolution,
          .unit = labels.unit},
         digits.golden, verdict);

@@ -16,6 +16,8 @@ namespace slipbench::driver::check {
 struct ToleranceUse {
   double scale = 0.0;  ///< what a relative tolerance is relative to
   double worst = 0.0;  ///< largest deviation seen, in the same unit
+  /// Largest absolute value of a reference that is compared point by point, in the same unit.
+  std::optional<double> largest = std::nullopt;
   /// Half a unit of the last digit that the reference was printed with, in the same unit; nothing
   /// if it was not printed, or with all digits.
   std::optional<double> resolution;
@@ -28,10 +30,11 @@ struct ToleranceUse {
 ///   would let pass is orders worse than the agreement. The sentence names a tolerance that would
 ///   do: ten times the deviation, at least 1e-6 of the scale, rounded up to one digit. Nothing is
 ///   said if that were less than the reference's digits leave open.
+/// - else it is as large as the reference's largest absolute value, so that 0 would pass, too.
 /// - it is smaller than the reference's printed digits allow: such a check fails by rounding. A
 ///   deviation of more than three times the resolution is not rounding's doing, and nothing is
 ///   said.
-/// At most one of the two is said. Nothing is said where a number is not finite, and of the first
+/// At most one of these is said. Nothing is said where a number is not finite, and of the first
 /// kind nothing if the scale is 0 (a quantity that is zero throughout has no natural tolerance).
 std::vector<std::string> tolerance_doubts(const cases::Tolerance& tolerance,
                                           const ToleranceUse& use);

@@ -36,12 +36,21 @@
 namespace slipbench::driver::commands {
 namespace {
 
-std::string nothing_matches(const CheckOptions& options, std::size_t count) {
+/// Names the filters that match no case, in a sentence; empty if each has one, or where a fault may
+/// hide it.
+std::string nothing_matches(const CheckOptions& options, std::span<const suite::Candidate> all) {
   std::vector<std::string> quoted;
-  for (const std::string& filter : options.filters) quoted.push_back("'" + filter + "'");
+  for (const std::string& filter : options.filters) {
+    const auto may_match = [&](const suite::Candidate& one) {
+      return !one.fault.empty() || suite::label_matches_any(one.label, std::span(&filter, 1));
+    };
+    if (std::ranges::none_of(all, may_match)) quoted.push_back("'" + filter + "'");
+  }
+  if (quoted.empty()) return {};
   const std::vector<std::string_view> words(quoted.begin(), quoted.end());
-  return fmt::format("no case matches --filter {}; {}", base::in_words(words),
-                     count == 1 ? "there is 1 case" : fmt::format("there are {} cases", count));
+  return fmt::format(
+      "no case matches --filter {}; {}", base::in_words(words),
+      all.size() == 1 ? "there is 1 case" : fmt::format("there are {} cases", all.size()));
 }
 
 /// The file that a job of GitHub Actions shows at its end; empty elsewhere.
@@ -118,8 +127,9 @@ int check_command(const CheckOptions& options) {
   Told told;
   if (found.size() > 1) told.memory.emplace(options.paths);
   const std::vector<suite::Candidate> in_order = chosen(options, found);
-  if (in_order.empty())
-    return terminal::refuse(base::kExitBadInput, nothing_matches(options, found.size()));
+  if (const std::string fault = nothing_matches(options, found); !fault.empty()) {
+    return terminal::refuse(base::kExitBadInput, fault);
+  }
   std::vector<std::size_t> places(in_order.size());  // in the suite, of the cases as they are run
   std::iota(places.begin(), places.end(), std::size_t{0});
   if (options.failed_first && told.memory) places = told.memory->order(in_order);

@@ -111,6 +111,9 @@ std::vector<Candidate> find_candidates(std::span<const std::string> paths, bool 
       continue;
     }
     std::vector<Candidate> found = search(path, allow_outside);
+    if (found.empty() && paths.size() > 1) {
+      found.push_back({path, {}, "has no case (*.yaml, *.yml)"});
+    }
     for (Candidate& one : found) {
       one.is_searched = true;
       const fs::path file = one.path;

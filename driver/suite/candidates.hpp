@@ -20,7 +20,8 @@ struct Candidate {
 /// The cases that `paths` name, each once: files as they are, readable or not, and all *.yaml files
 /// below folders in the order of their labels, but for those in folders named `bad`, hidden ones,
 /// those in hidden folders, fit and sweep files. A link to a case is a case. A link out of the
-/// folder, unless its target is named too, and a folder that cannot be read are cases with a fault.
+/// folder, unless its target is named too, a folder that cannot be read, and one of several that
+/// has no case, are cases with a fault.
 /// A link to a folder inside is passed by: that is searched anyway.
 ///
 /// \param allow_outside takes a link to a file out of the folder as a case, and passes by one to a

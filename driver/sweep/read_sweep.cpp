@@ -404,6 +404,11 @@ class SweepReader {
       if (quantity != nullptr) {
         auto compiled = read::compile_expression(binder_, *quantity, variables);
         if (!compiled) continue;
+        if (compiled->variables.empty()) {
+          binder_.error(*quantity->node, quantity->path, "is the same number in every sample",
+                        "name a result column in it, such as CSF1");
+          continue;
+        }
         collected.quantity = std::move(compiled->expression);
         collected.variables = std::move(compiled->variables);
       }

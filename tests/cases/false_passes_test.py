@@ -98,6 +98,76 @@ class FalsePasses(InFolder):
         self.write("case.yaml", CASE + (CHECK % 'against: {expression: "= -CSF1"}').replace("absolute: 1.0e-9", "relative: 5"))
         self.assertIn("'relative: 5' allows 5 times the reference itself", self.run_tool("check", "case.yaml", "--strict", code=1))
 
+        self.write("case.yaml", CASE + (CHECK % 'against: {expression: "= -5*(1-T)"}').replace("1.0e-9", "1000"))
+        self.assertIn("the tolerance of 1e+03 is as large as the reference itself, 5", self.run_tool("check", "case.yaml", "--strict", code=1))
+        self.write("curve.csv", "time,CU1,CSF1\n0,0,0\n0.1,0.01,900\n0.2,0.02,900\n1,0.1,900\n")
+        far = "criterion: breakaway, abscissa: CU1, against: {curve: curve.csv}"
+        self.write("case.yaml", CASE + (CHECK % far).replace("absolute: 1.0e-9", "abscissa: 1e9"))
+        self.assertIn("for the position of breakaway is as wide as the reference itself, 0.1", self.run_tool("check", "case.yaml", "--strict", code=1))
+
+    def test_units_that_a_result_states_are_those_of_its_columns(self):
+        metres = RIGHT.replace("connector:", "units: {length: m, force: kN, time: s}\nconnector:")
+        self.write("a.yaml", metres)
+        self.run_tool("run", "a.yaml", "-o", ".")
+        head = metres.split("history:")[0].replace("{length: m, force: kN, time: s}", "{length: mm, force: N, time: ms}")
+        history = "history: {csv: a.csv, time: t, columns: {CP1: CP1, f2: CRF2}}\n"
+        self.write("b.yaml", head + history + CHECK % "against: {curve: a.csv, abscissa: t}")
+        said = self.run_tool("run", "b.yaml", "--no-output")
+        for words in ("'CP1' is converted from m, as the file says, to mm", "'t' is converted from s", "'CSF1' is converted from kN"):
+            self.assertIn(words, said)
+        # In the units of the case nothing is said.
+        self.write("b.yaml", metres.split("history:")[0] + history + CHECK % "against: {curve: a.csv, abscissa: t}")
+        self.assertNotIn("converted", self.run_tool("run", "b.yaml", "--no-output"))
+
+    def test_a_golden_curve_of_other_units_is_converted(self):
+        golden = GOLDEN.replace("connector:", "units: {length: mm, force: N, time: s}\nconnector:")
+        self.write("case.yaml", golden)
+        self.run_tool("bless", "case.yaml", "--reason", "first")
+        self.run_tool("check", "case.yaml", "--strict")
+        for old, new in (("force: N", "force: kN"), ("time: s", "time: ms")):
+            self.write("case.yaml", golden.replace(old, new))
+            self.assertIn("as the file says", self.run_tool("run", "case.yaml", "--no-output", code=1))
+
+    def test_verdicts_of_another_run_are_not_shown(self):
+        def page(*words):
+            said = self.run_tool("report", "out/case.csv", "-o", "page.html", "--force")
+            text = (self.folder / "page.html").read_text()
+            for word in words:
+                self.assertIn(word, text)
+            return said, text
+        other = "it is of another run than the rows"
+        self.write("case.yaml", RIGHT.replace("0.2", "0.5"))
+        self.run_tool("run", "case.yaml", "-o", "out", code=1)
+        self.assertNotIn(other, page()[1])
+        self.write("case.yaml", RIGHT)
+        self.run_tool("run", "case.yaml", "-o", "out", "--format", "npy")
+        page("case.json is not shown (" + other, "case.events.csv is not shown (" + other)
+        # Nor are the regimes of a picture those of the other run's events.
+        self.run_tool("plot", "out/case.csv", "--as", "bands", "-o", "bands.svg")
+        (self.folder / "out/case.json").unlink()
+        (self.folder / "out/case.events.csv").unlink()
+        self.run_tool("plot", "out/case.csv", "--as", "bands", "-o", "alone.svg")
+        self.assertEqual((self.folder / "bands.svg").read_bytes(), (self.folder / "alone.svg").read_bytes())
+        self.run_tool("run", "case.yaml", "-o", "out")
+        self.assertNotIn(other, page()[1])
+
+    def test_a_path_or_filter_that_names_no_case_is_told(self):
+        self.write("suite/right.yaml", RIGHT)
+        (self.folder / "empty").mkdir()
+        for words in (("suite", "empty"), ("empty", "suite/right.yaml")):
+            self.assertIn("has no case", self.run_tool("check", *words, code=4))
+            self.assertIn("has no case", self.run_tool("report", *words, "-o", "page.html", "--force", code=4))
+        self.assertIn("no case matches --filter 'other'", self.run_tool("check", "suite", "--filter", "right", "--filter", "other", code=2))
+
+    def test_numbers_that_no_model_makes_are_neither_fitted_nor_collected(self):
+        self.write("case.yaml", RIGHT.replace("connector:", "parameters: {mu: 0.2}\nconnector:").replace("coefficient: 0.2", "coefficient: = mu"))
+        self.write("ratio.csv", "time,ratio\n0,0.23\n0.5,0.24\n1,0.22\n")
+        for compared in ("= mu", "= mu*t"):
+            self.write("fit.yaml", 'slipbench: 1\ncalibrate: {experiments: [{name: a, case: case.yaml, data: ratio.csv, time: time, compare: {"%s": {column: ratio}}}], vary: {mu: {bounds: [0, 1]}}}\n' % compared)
+            self.assertIn("is the same number whatever the model does", self.run_tool("calibrate", "fit.yaml", code=2))
+        self.write("sweep.yaml", 'slipbench: 1\nsweep: {case: case.yaml, samples: 2, sampler: lhs, vary: {mu: {uniform: [0.1, 0.2]}}, collect: {peak: {magnitude: "= 3"}}}\n')
+        self.assertIn("is the same number in every sample", self.run_tool("sweep", "sweep.yaml", code=2))
+
     def test_a_column_of_times_that_no_check_wants_is_not_read(self):
         rows = [f"{0.002 * i},{min(2 * i, 20)}" for i in range(51)]
         check = CHECK % "abscissa: CU1, against: {curve: {file: curve.csv, missing: skip}, abscissa: x, column: F}"

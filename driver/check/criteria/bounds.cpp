@@ -12,11 +12,11 @@ namespace {
 /// Below this part of its magnitude, the range of values is their rounding.
 constexpr double kNearlyConstant = 1e-9;
 
+}  // namespace
+
 double magnitude(const Interval& values) {
   return std::max(std::abs(values.from), std::abs(values.to));
 }
-
-}  // namespace
 
 double scale_of(std::span<const double> values) {
   return values.empty() ? 0.0 : scale_of(extent(values));

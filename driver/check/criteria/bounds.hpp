@@ -12,6 +12,9 @@
 
 namespace slipbench::driver::check {
 
+/// Returns the largest absolute value.
+double magnitude(const Interval& values);
+
 /// Returns what a relative tolerance of values is relative to: their range, or their magnitude if
 /// they are constant but for rounding (range below 1e-9 of it). Of no values, 0.
 double scale_of(std::span<const double> values);

@@ -63,6 +63,7 @@ double PointJudge::certain_tolerance() const {
 PointJudge::Result PointJudge::result() const {
   Result result;
   result.scale = scale_of(references_);
+  result.largest = magnitude(references_);
   result.tolerance = tolerance();
   result.worst = {worst_, worst_spacing_};
   for (const Suspect& suspect : suspects_) {

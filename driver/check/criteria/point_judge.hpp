@@ -70,6 +70,7 @@ class PointJudge {
   };
   struct Result {
     double scale = 0.0;
+    double largest = 0.0;  ///< absolute value of the reference
     double tolerance = 0.0;
     ToldPoint worst;
     std::int64_t failing = 0;

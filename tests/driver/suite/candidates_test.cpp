@@ -105,7 +105,11 @@ TEST_CASE("a link to a case is a case, whether one path is named or several") {
   const std::string d = (folder.path() / "d").string();
   const std::string o = (folder.path() / "o").string();
   CHECK(labels(find_candidates(std::vector{d})) == std::vector<std::string>{"a", "link"});
-  CHECK(labels(find_candidates(std::vector{d, o})) == std::vector{d + "/a", d + "/link"});
+  // A folder without a case is told where it is one of several.
+  const std::vector<Candidate> two = find_candidates(std::vector{d, o});
+  CHECK(labels(two) == std::vector{d + "/a", d + "/link", o});
+  CHECK(two.back().fault == "has no case (*.yaml, *.yml)");
+  CHECK(find_candidates(std::vector{o}).empty());
   const std::string same = (folder.path() / "same").string();
   CHECK(labels(find_candidates(std::vector{d, same})) == std::vector{d + "/a", d + "/link"});
 }
