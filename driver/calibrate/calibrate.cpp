@@ -4,10 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
+#include <set>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -82,13 +87,33 @@ void describe_unknowns(const Fit& fit, std::span<const VariedOrdinates> ordinate
   }
 }
 
+/// Returns how many rows all experiments may compare: as many as there can be in their files, each
+/// read once, and 400,000.
+std::uintmax_t most_rows(const Fit& fit) {
+  std::uintmax_t most = 400'000;
+  std::set<std::filesystem::path> files;
+  for (const ExperimentFit& one : fit.experiments) {
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(one.data_path, unknown);
+    if (!unknown && files.insert(one.data_path).second) most += size;
+  }
+  return most;
+}
+
 tl::expected<Models, CalibrationFailure> build_models(const Fit& fit, const ModelOptions& options) {
   const std::size_t count = fit.experiments.size();
   Models models(count);
   std::vector<ExperimentModel::Failure> failures(count);
+  const std::uintmax_t most = most_rows(fit);
+  std::atomic<std::uintmax_t> rows = 0;
   base::for_each_index(count, options.threads, [&](std::size_t i) {
+    if (rows > most) return;
     auto model = ExperimentModel::make(fit, fit.experiments[i], options);
-    if (model) {
+    if (model && (rows += model->points()) > most) {
+      failures[i].message = fmt::format(
+          "{}: the experiments compare more than {} rows together: the same files again and again",
+          fit.file, most);
+    } else if (model) {
       models[i] = std::make_shared<const ExperimentModel>(std::move(*model));
     } else {
       failures[i] = std::move(model.error());
@@ -96,7 +121,7 @@ tl::expected<Models, CalibrationFailure> build_models(const Fit& fit, const Mode
   });
   CalibrationFailure failure;
   for (std::size_t i = 0; i < count; ++i) {
-    if (models[i] != nullptr) continue;
+    if (models[i] != nullptr || failures[i].message.empty()) continue;
     const int code = failures[i].environment ? base::kExitEnvironment
                      : failures[i].numerical ? base::kExitNumerical
                                              : base::kExitBadInput;

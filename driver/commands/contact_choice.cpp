@@ -44,6 +44,14 @@ ImportedDeck choose_contacts(const ImportOptions& options, std::vector<ContactCh
     imported.code = base::kExitBadInput;
     return imported;
   }
+  const std::string name = base::printable(options.deck);
+  const auto meant = std::ranges::count_if(
+      choices, [](const ContactChoice& one) { return one.meant && !one.passed_over; });
+  if (meant > 1 && !options.all) {
+    return refused(std::move(imported),
+                   fmt::format("{}: choose one with {}, or all of them with --all -o DIR", name,
+                               words.option));
+  }
   const std::filesystem::path deck(options.deck);
   for (ContactChoice& one : choices) {
     if (one.passed_over || !one.meant) continue;
@@ -56,16 +64,10 @@ ImportedDeck choose_contacts(const ImportOptions& options, std::vector<ContactCh
     imported.cases.push_back({deck.stem().string() + "_" + one.stem, std::move(summary),
                               import::contact_case(one.friction)});
   }
-  const std::string name = base::printable(options.deck);
   if (imported.cases.empty()) {
     return refused(
         std::move(imported),
         fmt::format("{}: has no {} with friction that can be taken over", name, words.what));
-  }
-  if (imported.cases.size() > 1 && !options.all) {
-    return refused(std::move(imported),
-                   fmt::format("{}: choose one with {}, or all of them with --all -o DIR", name,
-                               words.option));
   }
   return imported;
 }

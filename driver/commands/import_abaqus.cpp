@@ -37,6 +37,16 @@ struct Candidate {
 
 /// Cases that are written at once, each read back: some 1 ms a case.
 constexpr std::ptrdiff_t kMostAtOnce = 1000;
+/// Of so many connectors those are told of, too, that are not meant.
+constexpr std::ptrdiff_t kMostBeside = 20;
+
+/// Returns how much is written for all cases of a deck, each twice: all repeat its steps and
+/// amplitudes.
+std::size_t most_text(const abaqus::KeywordDeck& deck) {
+  std::size_t most = std::size_t{4} << 20U;
+  for (const base::SourceText& one : deck.sources()) most += 8 * one.text().size();
+  return most;
+}
 
 /// Tells whether a connector makes a case.
 bool has_friction(const abaqus::Connector& connector) {
@@ -183,11 +193,22 @@ ImportedDeck import_abaqus(const ImportOptions& options) {
                     "their sections have {}",
                     name, count, kMostAtOnce, sets_of_sections(model)));
   }
-  const bool many = count_if([](const abaqus::Connector&) { return true; }) > kMostAtOnce;
+  const bool many = count_if([](const abaqus::Connector&) { return true; }) > kMostBeside;
+  const std::size_t most = most_text(*deck);
+  std::size_t text = 0;
+  case_options.characters = &text;
   std::vector<Candidate> candidates;
   for (const abaqus::Connector& one : model.connectors) {
     if (!has_friction(one) || (many && !is_meant(one))) continue;
     candidates.push_back({&one, abaqus::write_case(*deck, model, one, case_options)});
+    if (text > most) {
+      return refused(
+          std::move(imported),
+          fmt::format("{}: its cases would have more than {} MiB together, each with all "
+                      "steps of the deck: give the number of one connector, or a set of "
+                      "fewer, with --connector; their sections have {}",
+                      name, most >> 21U, sets_of_sections(model)));
+    }
   }
   imported.messages += inventory(model, candidates);
   for (Candidate& one : candidates) {

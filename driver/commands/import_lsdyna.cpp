@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +24,9 @@ ImportedDeck import_lsdyna(const ImportOptions& options) {
       *source, {std::filesystem::path(options.deck).parent_path().string(), options.allow_outside},
       diagnostics);
   std::vector<ContactChoice> choices;
-  for (lsdyna::Found& one : lsdyna::read_frictions(deck, diagnostics)) {
+  constexpr int kNone = std::numeric_limits<int>::min();
+  const std::optional<int> contact = options.id ? kNone : options.interface;
+  for (lsdyna::Found& one : lsdyna::read_frictions(deck, diagnostics, contact)) {
     const bool meant = (!options.id && !options.interface) ||
                        (one.is_table ? options.id : options.interface) == one.id;
     choices.push_back({fmt::format("{}_{}", one.is_table ? "FRICTION" : "CONTACT", one.id),

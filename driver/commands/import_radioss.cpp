@@ -208,10 +208,22 @@ std::vector<Meant> find_meant(const radioss::DeckContents& contents,
                               const radioss::SkeletonOptions& common, base::Diagnostics& out) {
   std::vector<Meant> all;
   std::string ids;
+  std::size_t records = 0;
   for (const radioss::DeckInterface& one : interfaces) {
     if (options.id || !radioss::has_friction(one)) continue;
     if (options.interface && one.id != *options.interface) continue;
     ids += (ids.empty() ? "" : ", ") + std::to_string(one.id);
+    if (records > import::kMostRecords) continue;
+    const auto named =
+        std::ranges::find(contents.frictions, one.friction_id, &radioss::DeckFriction::id);
+    if (one.friction_id > 0 && named != contents.frictions.end()) records += named->pairs.size();
+    if (records > import::kMostRecords) {
+      out.error(options.deck, {}, {},
+                fmt::format("its interfaces have more than {} records of part pairs together",
+                            import::kMostRecords),
+                "take them one by one, with --interface");
+      continue;
+    }
     if (auto meant = meant_by(one, contents, texts, common, out)) all.push_back(std::move(*meant));
   }
   if (options.interface && ids.empty()) {

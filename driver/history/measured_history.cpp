@@ -29,6 +29,7 @@ tl::expected<MeasuredHistory, base::HistoryError> MeasuredHistory::open(Measured
 
 tl::expected<bool, base::HistoryError> MeasuredHistory::advance() {
   const double previous = row_.front();
+  const Before before{reader_.place(), previous, time_, rows_};
   const long previous_line = reader_.line();
   auto read = reader_.next(row_);
   if (!read) return read;
@@ -57,12 +58,24 @@ tl::expected<bool, base::HistoryError> MeasuredHistory::advance() {
   }
   time_ = time;
   ++rows_;
+  // A sample that is missing may be held from a row before these.
+  if (time <= 0.0 && before.rows > 0 &&
+      source_.data.format.missing == base::MissingSample::kError) {
+    start_ = last_;
+  }
+  last_ = before;
   return true;
 }
 
 tl::expected<void, base::HistoryError> MeasuredHistory::rewind() {
-  rows_ = 0;
-  return reader_.rewind();
+  if (start_.rows == 0) {
+    rows_ = 0;
+    return reader_.rewind();
+  }
+  row_.front() = start_.raw_time;
+  time_ = start_.time;
+  rows_ = start_.rows;
+  return reader_.go_back(start_.place);
 }
 
 tl::unexpected<base::HistoryError> MeasuredHistory::error_here(std::string message) const {

@@ -58,7 +58,9 @@ class MeasuredHistory {
   /// The line of the last row read, counted from 1.
   long line() const { return reader_.line(); }
 
-  /// Goes back to before the first row. Error: the file cannot be read again.
+  /// Goes back to before the last two rows that were read up to time 0, or else the first: what
+  /// lies before a step is read once, however often the step is repeated. Error: the file cannot be
+  /// read again.
   tl::expected<void, base::HistoryError> rewind();
 
   const MeasuredSource& source() const { return source_; }
@@ -77,6 +79,16 @@ class MeasuredHistory {
   std::vector<double> row_;  ///< Time, then the values.
   double time_ = 0.0;
   long rows_ = 0;
+
+  /// State before a row.
+  struct Before {
+    base::CsvReader::Place place;
+    double raw_time = 0.0;
+    double time = 0.0;
+    long rows = 0;
+  };
+  Before last_;   ///< before the row read last
+  Before start_;  ///< before the two rows from which a step begins; the first row at first
 };
 
 }  // namespace slipbench::driver::history

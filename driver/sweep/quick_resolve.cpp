@@ -115,31 +115,30 @@ bool QuickResolve::name_dependents(const Sweep& sweep) {
     const auto used = expression->used_variables();
     uses[name].assign(used.begin(), used.end());
   }
+  std::map<std::string, std::vector<std::string>, std::less<>> users;
+  for (const auto& [name, used] : uses) {
+    for (const std::string& one : used) users[one].push_back(name);
+  }
+  std::set<std::string, std::less<>> met(names_.begin(), names_.end());
   std::vector<std::string> dependent = names_;
-  const auto is_dependent = [&](const std::string& name) {
-    return std::find(dependent.begin(), dependent.end(), name) != dependent.end();
-  };
-  for (std::size_t before = 0; before != dependent.size();) {
-    before = dependent.size();
-    for (const auto& [name, used] : uses) {
-      if (!is_dependent(name) && std::any_of(used.begin(), used.end(), is_dependent)) {
-        dependent.push_back(name);
-      }
+  for (std::size_t i = 0; i < dependent.size(); ++i) {
+    for (const std::string& user : users[dependent[i]]) {
+      if (met.insert(user).second) dependent.push_back(user);
     }
   }
-  const auto is_named = [&](const std::string& name) {
-    return std::find(names_.begin(), names_.end(), name) != names_.end();
-  };
-  while (names_.size() < dependent.size()) {
-    const auto next = std::find_if(dependent.begin(), dependent.end(), [&](const auto& name) {
-      return !is_named(name) &&
-             std::all_of(uses[name].begin(), uses[name].end(), [&](const std::string& used) {
-               return !is_dependent(used) || is_named(used);
-             });
-    });
-    if (next == dependent.end()) return false;
-    names_.push_back(*next);
+  // Each follows when the last of those that it uses is named.
+  std::map<std::string, std::size_t, std::less<>> open;
+  for (const auto& [name, used] : uses) {
+    open[name] = static_cast<std::size_t>(std::count_if(
+        used.begin(), used.end(), [&](const auto& one) { return met.contains(one); }));
   }
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const std::vector<std::string> of_it = users[names_[i]];
+    for (const std::string& user : of_it) {
+      if (--open[user] == 0) names_.push_back(user);
+    }
+  }
+  if (names_.size() < dependent.size()) return false;
   for (std::size_t i = sweep.varied.size(); i < names_.size(); ++i) {
     auto number = number_of(texts.find(names_[i])->second, sweep.base.parameters);
     if (!number) return false;

@@ -167,6 +167,22 @@ std::optional<base::Expression> Binder::expression(const Node& node, const Path&
   return std::nullopt;
 }
 
+bool Binder::may_read(const Node& node, const Path& path, const base::DataSource& source) {
+  constexpr std::uintmax_t kAlways = std::uintmax_t{64} << 20U;
+  constexpr std::uintmax_t kTimes = 100;
+  // Rows in which samples may be missing are read field by field.
+  const std::uintmax_t effort = source.format.missing == base::MissingSample::kError ? 1 : 16;
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(source.file, unknown);
+  if (unknown) return true;
+  read_ += effort * size;
+  longest_read_ = std::max(longest_read_, effort * size);
+  if (read_ <= kAlways + kTimes * longest_read_) return true;
+  error(node, path, "files of numbers are read again and again: too often for a case",
+        "drive the case by one 'history: {csv: ..}', or its steps by 'repeat'");
+  return false;
+}
+
 std::optional<double> Binder::number_with_unit(const Node& node, const Path& path,
                                                const KeyInfo& info) {
   const bool is_declared = info.unit == UnitUse::kDeclared;
@@ -193,24 +209,27 @@ std::optional<double> Binder::number_with_unit(const Node& node, const Path& pat
     return std::nullopt;
   }
   if (info.unit == UnitUse::kSlip || info.unit == UnitUse::kQuantity) {
-    unsettled_.push_back({node, path, read->dimension, info.dimension});
+    unsettled_.emplace(path.text(), UnsettledUnit{node, path, read->dimension, info.dimension});
   }
   return read->value;
 }
 
 void Binder::settle_units(const Path& below,
                           const std::function<base::Dimension(const base::Dimension&)>& wanted) {
-  std::erase_if(unsettled_, [&](const UnsettledUnit& one) {
-    const std::string_view path = one.path.text();
-    const std::size_t length = below.text().size();
-    const bool inside = path.starts_with(below.text()) &&
-                        (path.size() == length || path[length] == '.' || path[length] == '[');
-    const base::Dimension fitting = inside ? wanted(one.wanted) : base::Dimension{};
-    if (inside && !base::measures(one.dimension, fitting)) {
+  const std::string& top = below.text();
+  for (auto at = unsettled_.lower_bound(top);
+       at != unsettled_.end() && at->first.starts_with(top);) {
+    const auto& [path, one] = *at;
+    if (path.size() > top.size() && path[top.size()] != '.' && path[top.size()] != '[') {
+      ++at;
+      continue;
+    }
+    const base::Dimension fitting = wanted(one.wanted);
+    if (!base::measures(one.dimension, fitting)) {
       error(one.node, one.path, base::misfit(one.node.text(), one.dimension, fitting, *units_));
     }
-    return inside;
-  });
+    at = unsettled_.erase(at);
+  }
 }
 
 void Binder::settle_units(const Path& below, const base::Dimension& wanted) {
@@ -225,7 +244,7 @@ void Binder::settle_slip_units(const Path& below, bool rotation) {
 }
 
 void Binder::refuse_unsettled_units() {
-  for (const UnsettledUnit& one : unsettled_) {
+  for (const auto& [written, one] : unsettled_) {
     error(one.node, one.path,
           base::in_quotes(one.node.text()) +
               ": a number in the case's units is wanted here, without a unit");

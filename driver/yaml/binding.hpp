@@ -4,8 +4,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -16,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/csv/data_source.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/history_error.hpp"
 #include "driver/base/text/json.hpp"
@@ -192,6 +195,16 @@ class Binder {
   bool count_table_row() { return ++table_rows_ <= kMostTableRows; }
   static constexpr std::size_t kMostTableRows = 2'000'000;
 
+  /// Counts a file of numbers that is read through while the case is. Returns false, after an error
+  /// there, once the case has the same files read again and again.
+  bool may_read(const Node& node, const Path& path, const base::DataSource& source);
+
+  /// Counts a formula over the time, whose compiled form stays.
+  void count_formula() { ++kept_formulas_; }
+  /// Tells whether a case has as many of them as it may have.
+  [[nodiscard]] bool has_most_formulas() const { return kept_formulas_ >= kMostFormulas; }
+  static constexpr std::size_t kMostFormulas = 10'000;
+
  private:
   /// The hint for an unknown key of a case that goes by another name here, or empty.
   std::optional<double> number_with_unit(const Node& node, const Path& path, const KeyInfo& info);
@@ -206,7 +219,7 @@ class Binder {
   base::Diagnostics& out_;
   std::optional<base::UnitSystem> units_ = base::UnitSystem{};
   law::Extrapolation extrapolation_ = law::Extrapolation::kConstant;
-  std::vector<UnsettledUnit> unsettled_;
+  std::multimap<std::string, UnsettledUnit, std::less<>> unsettled_;  ///< by their paths
   std::vector<Formula>* formulas_ = nullptr;
   FileWords words_;
   const base::NamedNumbers& parameters_;
@@ -214,6 +227,9 @@ class Binder {
   std::filesystem::path case_folder_;
   std::vector<std::string> data_files_;
   std::size_t table_rows_ = 0;
+  std::size_t kept_formulas_ = 0;
+  std::uintmax_t read_ = 0;          ///< bytes of files of numbers
+  std::uintmax_t longest_read_ = 0;  ///< of the largest of them
   bool allow_outside_;
   bool standard_input_refused_ = false;
   bool environment_failed_ = false;

@@ -359,6 +359,97 @@ class HostileFiles(InFolder):
             self.assertLess(time.monotonic() - start, SECONDS)
             self.assertIn(words, said + ((self.folder / "long.yaml").read_text() if code == 0 else ""))
 
+    def in_bounds(self, files, *words, code=0, said=""):
+        """A command of little time and memory, on these files."""
+        for name, text in files.items():
+            self.write(name, text)
+        start = time.monotonic()
+        done = subprocess.Popen([PROGRAM, *words], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        output = done.stdout.read()
+        done.stdout.close()
+        _, status, used = os.wait4(done.pid, 0)
+        done.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(done.returncode, code, output[:2000])
+        self.assertLess(time.monotonic() - start, SECONDS)
+        self.assertLess(used.ru_maxrss, 400_000 * SECONDS // 20, words)
+        self.assertIn(said, output)
+
+    def test_a_deck_whose_contacts_name_one_table_stays_within_bounds(self):
+        def card(*fields):
+            return "".join(f"{field:>10}" for field in fields) + "\n"
+        contact = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n{}" + card(1, 2, 3, 3) + "{}" + card(0.0)
+        curve = "*DEFINE_TABLE_2D\n" + card(11) + "".join(f"{i},9\n" for i in range(5000)) + "*DEFINE_CURVE\n" + card(9) + "".join(f"{i},0.4\n" for i in range(5000))
+        self.in_bounds({"d.k": "*KEYWORD\n" + contact.format(card(1), card(2.0, 11.0)) + curve}, "import", "d.k", "-o", "o.yaml", code=2, said="has more than 100000 records of part pairs and rows of tables")
+        pairs = "*DEFINE_FRICTION\n" + card(7, 0.2) + "".join(card(i, i + 1, 0.3) for i in range(1, 2001))
+        contacts = "*KEYWORD\n" + "".join(contact.format(card(i), card(-2.0, 7.0)) for i in range(1, 1001)) + pairs
+        self.in_bounds({"d.k": contacts}, "import", "d.k", code=2, said="--interface takes one contact alone")
+        self.in_bounds({}, "import", "d.k", "--interface", "999", "-o", "one.yaml")
+        self.in_bounds({}, "import", "d.k", "--all", "-o", "all", code=2, said="has more than 100000 records")
+        deck = (SOURCE / "tests/decks/radioss/type7_points_at_friction_0000.rad").read_text()
+        head, interface = deck.split("/INTER/TYPE7/6\n")
+        interface, frictions = interface.split("/FRICTION/21\n")
+        record = "         1         2\n" + "".join(frictions.splitlines(keepends=True)[2:4])
+        lining = "".join(frictions.splitlines(keepends=True)[:4]) + record * 1000 + "/END\n"
+        many = head + "".join(f"/INTER/TYPE7/{i}\n{interface}" for i in range(1, 501)) + "/FRICTION/21\n" + lining
+        self.in_bounds({"d_0000.rad": many}, "import", "d_0000.rad", "--all", "-o", "rad", code=2, said="more than 100000 records of part pairs together")
+        self.in_bounds({}, "import", "d_0000.rad", "--interface", "499", "-o", "rad.yaml")
+
+    def test_connectors_that_share_the_steps_of_a_deck_stay_within_bounds(self):
+        nodes, rest = SLOT.split("*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n1, 1, 2\n")
+        body = rest.split("*AMPLITUDE")[0]
+        step = "*STEP\n*STATIC\n1.,1.\n*CONNECTOR MOTION\nPIN, 1, 0.5\n*END STEP\n"
+        elements = "*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n" + "".join(f"{i}, 1, 2\n" for i in range(1, 1000))
+        for words in (("--all", "-o", "all"), ()):
+            self.in_bounds({"d.inp": nodes + elements + body + step * 1000}, "import", "d.inp", *words, code=2, said="with --connector; their sections have PIN")
+        self.in_bounds({}, "import", "d.inp", "--connector", "7", "-o", "seven.yaml")
+        instances = "".join(f"*INSTANCE, NAME=I{i}, PART=P\n*END INSTANCE\n" for i in range(12000))
+        ends = "*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n" + "".join(f"{i}, I{i-1}.1, I{i-1}.2\n" for i in range(1, 12001))
+        self.in_bounds({"d.inp": "*PART, NAME=P\n" + nodes + "*END PART\n*ASSEMBLY, NAME=A\n" + instances + ends + body.split("*CONNECTOR BEHAVIOR")[0] + "*END ASSEMBLY\n*CONNECTOR BEHAVIOR" + body.split("*CONNECTOR BEHAVIOR")[1]},
+                       "import", "d.inp", "--connector", "1", "-o", "first.yaml")
+        name = "N" * 150
+        sets = "".join(f"*ELSET, ELSET={name}{i}\n{name}{i+1}\n" for i in range(2200)) + f"*ELSET, ELSET={name}2200\nPIN\n"
+        self.in_bounds({"d.inp": nodes + elements + sets + body.replace("ELSET=PIN, BEHAVIOR", f"ELSET={name}0, BEHAVIOR")}, "import", "d.inp", "--connector", "1",
+                       "-o", "none.yaml", code=2, said="names of them in sets for more than 150 MB")
+        changes = "*STEP\n*STATIC\n1.,1.\n*CHANGE FRICTION, ELSET=PIN\n*FRICTION\n0.5\n*END STEP\n" * 12000
+        self.in_bounds({"d.inp": nodes + "*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n1, 1, 2\n" + body.replace(", ELASTIC SLIP=0.002", "") + changes}, "import", "d.inp", "-o", "changes.yaml")
+        self.in_bounds({"d.inp": "*PARAMETER\na=1" + "**" * 470000 + "\n" + nodes}, "import", "d.inp", code=2)
+
+    def test_a_file_that_many_steps_read_is_bounded(self):
+        rows = "t,x\n" + "".join(f"{i},{i * 1e-6}\n" for i in range(40000))
+        motion = "motion: &m {CP1: {csv: d.csv, time: t, value: x, begins: 39997}}"
+        head = SLIDER.format(title="Again", history="")
+        steps = f"  - {{step: a, increments: 1, {motion}, force: {{f2: 100}}}}\n" + "".join(f"  - {{step: s{i}, increments: 1, motion: *m}}\n" for i in range(4000))
+        self.in_bounds({"d.csv": rows, "c.yaml": head + steps}, "run", "c.yaml", "--no-output", code=2, said="files of numbers are read again and again")
+        # What lies before a step is read once.
+        self.in_bounds({"c.yaml": head + f"  - {{step: a, increments: 1, repeat: 8000, {motion}, force: {{f2: 100}}}}\n"}, "run", "c.yaml", "--no-output")
+        change = "change_friction: {}{{friction1: {{coefficient: {{columns: [mu, slip_rate], csv: {{file: d.csv, missing: skip}}}}}}}}"
+        steps = "".join(STEP.format(name=f"s{i}").replace("motion", (change.format("&c ") if i == 0 else "change_friction: *c") + ", motion") for i in range(4000))
+        self.in_bounds({"d.csv": "mu,slip_rate\n0.2,0\n" + ",\n" * 80000, "c.yaml": head + steps}, "run", "c.yaml", "--no-output", code=2, said="files of numbers are read again and again")
+        fields = "{" + ", ".join(f"field{i}: = t" for i in range(1, 17)) + "}"
+        steps = f"  - {{step: a, increments: 1, motion: {{CP1: {{to: 1}}}}, force: {{f2: 100}}, fields: &f {fields}}}\n" + "".join(f"  - {{step: s{i}, increments: 1, fields: *f}}\n" for i in range(4000))
+        self.in_bounds({"c.yaml": head + steps}, "run", "c.yaml", "--no-output", code=2, said="the steps have more than 10000 formulas over the time")
+
+    def test_units_of_many_steps_are_settled_in_time(self):
+        head = SLIDER.format(title="Units", history="").replace("connector:", "units: {length: mm, force: N, time: s}\nconnector:")
+        wave = "{sine: {amplitude: 1 %s, mean: 1 %s, period: 1 s}}"
+        steps = f"  - {{step: a, increments: 1, motion: &m {{CP1: {wave % ('mm', 'mm')}}}, force: &f {{f2: {wave % ('N', 'N')}}}}}\n"
+        steps += "".join(f"  - {{step: s{i}, increments: 1, motion: *m, force: *f}}\n" for i in range(12000))
+        self.in_bounds({"c.yaml": head + steps}, "run", "c.yaml", "--no-output")
+        self.in_bounds({"c.yaml": head + steps.replace("1 N, period", "1 mm, period", 1)}, "run", "c.yaml", "--no-output", code=2, said="'1 mm'")
+
+    def test_a_fit_of_many_experiments_and_a_sweep_of_many_parameters_stay_within_bounds(self):
+        self.slider("c.yaml")
+        one = "{{name: e{}, case: c.yaml, data: d.csv, time: t, compare: {{CSF1: F}}}}"
+        fit = "slipbench: 1\ncalibrate: {{vary: {{mu: {{bounds: [0.1, 0.4]}}}}, stop: {{iterations: 1}}, polish: false, experiments: [{}]}}\n"
+        self.write("c.yaml", (self.folder / "c.yaml").read_text().replace("0.2", "= mu") + "parameters: {mu: 0.2}\n")
+        rows = "t,F\n" + "".join(f"{i / 40000},{20 * min(1, i / 8000)}\n" for i in range(40000))
+        self.in_bounds({"d.csv": rows, "f.yaml": fit.format(", ".join(map(one.format, range(100))))}, "calibrate", "f.yaml", "-o", "out", code=2, said="rows together: the same files again and again")
+        self.in_bounds({"d.csv": "t,F\n0,0\n0.5,21\n1,21\n", "f.yaml": fit.format(", ".join(map(one.format, range(60)))).replace("iterations: 1", "iterations: 9")}, "calibrate", "f.yaml", "-o", "out",
+                       said="pictures show the first 20 of 60 experiments" if shutil.which("gnuplot") else "")
+        chain = ", ".join(f"p{i}: = p{i + 1}+1" for i in range(1998)) + ", p1998: = mu"
+        self.write("c.yaml", (self.folder / "c.yaml").read_text().replace("= mu,", '"= mu+0*p0",').replace("{mu: 0.2}", f"{{mu: 0.2, {chain}}}"))
+        self.in_bounds({"s.yaml": "slipbench: 1\nsweep: {case: c.yaml, vary: {mu: {uniform: [0.1, 0.3]}}, samples: 100, sampler: lhs, collect: {a: {max: CSF1}}}\n"}, "sweep", "s.yaml", "-o", "swept")
+
     def test_a_message_about_a_curve_lists_few_of_its_columns(self):
         names = [f"c{i}" for i in range(9000)]
         self.write("wide.csv", "t," + ",".join(names) + "\n" + "".join(f"{t}" + ",0" * len(names) + "\n" for t in (0, 1)))
@@ -369,6 +460,49 @@ class HostileFiles(InFolder):
         self.refused_in_time(case + check.format(0, "twice.csv", "F"), "twice.csv: two columns are named 'F'", code=1)
         many = case + "".join(check.format(i, "wide.csv", f"a_column_that_is_not_there_{i}") for i in range(1000))
         self.refused_in_time(many, "no column 'a_column_that_is_not_there_999'", code=1, longest=200000)
+
+    def test_a_parameter_is_no_second_card_of_the_option_mpp(self):
+        deck = """*KEYWORD
+*PARAMETER
+Isurf           1
+*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MPP_ID
+         3Pad on disc
+         0       200
+%s         2         3         3
+      0.42       0.3      2e-3       0.0      20.0
+       1.0       1.0
+*END
+"""
+        for cards in ("    &surf", "&surf    ", "         1", "&                  1\n         1", "&,1,1\n         1"):
+            self.write("deck.k", deck % cards)
+            self.run_tool("import", "deck.k", "-o", "pad.yaml", "--force")
+            self.assertIn("{static: 0.42, kinetic: 0.3, decay: 0.002}", (self.folder / "pad.yaml").read_text(), cards)
+
+    def test_an_interface_that_lacks_a_card_is_told(self):
+        deck = (SOURCE / "tests/decks/radioss/type7_points_at_friction_0000.rad").read_text()
+        last = "         0         0                   0         1         0         0                   0        21\n"
+        self.assertIn(last, deck)
+        own = deck.replace(last, last.replace("21", " 0"))
+        self.write("drum_0000.rad", own)
+        self.run_tool("import", "drum_0000.rad", "--interface", "6", "-o", "drum.yaml")
+        self.assertIn("0.9", (self.folder / "drum.yaml").read_text())
+        for law, words in (("4", "the card of C1 to C5 is missing"), ("1", "the card of C1 to C5 is missing")):
+            self.write("drum_0000.rad", deck.replace(last, law.rjust(10) + last.replace("21", " 0")[10:]))
+            self.assertIn(words, self.run_tool("import", "drum_0000.rad", "--interface", "6", "-o", "none.yaml", code=2))
+        third = "                   0                   0                   0                   0         0         0\n"
+        self.assertIn(third, own)
+        self.write("drum_0000.rad", own.replace(third, ""))
+        self.assertIn("here card 4 has 000 in columns 8 to 10", self.run_tool("import", "drum_0000.rad", "--interface", "6", "-o", "none.yaml", code=2))
+
+    def test_what_an_abaqus_deck_loses_is_told(self):
+        for old, new, words in (("*NODE", "*NODE, SYSTEM=C", "positions begin at 0 here"), ("*STATIC, DIRECT", "*STATIC, RIKS", "RIKS is not followed"),
+                                ("*FRICTION, ELASTIC SLIP=0.002", "*FRICTION, SHEAR TRACTION SLOPE=50", "SHEAR TRACTION SLOPE is not read"),
+                                ("*STEP", "*STEP, PERTURBATION\n*STATIC\n1., 1.\n*CONNECTOR MOTION\nPIN, 1, 77.\n*END STEP\n*STEP", "is a perturbation, which changes no state")):
+            self.write("slot.inp", SLOT.replace(old, new, 1))
+            self.assertIn(words, self.run_tool("import", "slot.inp", "-o", "slot.yaml", "--force"))
+            text = (self.folder / "slot.yaml").read_text()
+            self.assertNotIn("77", text)
+            self.assertEqual("CP1: 7" in text, "SYSTEM" not in new)
 
     def test_a_contact_deck_with_a_part_that_means_nothing_is_refused(self):
         deck = """*KEYWORD
@@ -405,7 +539,8 @@ Rmu       0.3
                                 ("*DEFINE_FRICTION\n", "*SET_PART_LIST\n         4\n        13\n*DEFINE_FRICTION\n", "the id 4 stands twice"),
                                 ("1.0       0.0\n         4", "1.0      -5.0\n         4", "VC must not be negative"),
                                 ("         4         2       0.4", "                   2       0.4", "wanted the id of a part"),
-                                ("\n                 0.0                 0.3", "\n                 0.x                 0.3", "A:")):
+                                ("\n                 0.0                 0.3", "\n                 0.x                 0.3", "A:"),
+                                ("PSET", "PART", "wanted PSET or nothing"), ("SURFACE_ID", "SURFACE_ID of the lid", "text behind the keyword")):
             self.assertIn(old, deck)
             self.write("deck.k", deck.replace(old, new, 1))
             self.assertIn(words, self.run_tool("import", "deck.k", "--all", "-o", "parts", code=2), words)
@@ -414,6 +549,10 @@ Rmu       0.3
                                      ("                 0.0                 0.3", "                                     0.3", "", "[0.3, 0, = 0*area]"),
                                      ("*DEFINE_CURVE", "*DEFINE_FRICTION_SCALING\n         1       0.9\n*DEFINE_CURVE", "is not read", "static: 0.3"),
                                      ("*DEFINE_FRICTION\n", "*SET_PART_LIST_COLLECT\n         4\n        13\n*DEFINE_FRICTION\n", "", "[11, 12, 13]"),
+                                     ("PSET", "Pset", "", "[11, 12]"),
+                                     ("SURFACE_ID", "SURFACE_ID $ of the lid", "", "[0.3, 0, = 0*area]"),
+                                     ("\n         5\n", "\n         5      10.0       5.0\n", "", "[0.4, 1, = 1050*area]"),
+                                     ("*CONTACT_AUTO", "*CONTACT_2D_AUTOMATIC_SURFACE_TO_SURFACE_ID\n         9\n         1         2\n       0.4\n*CONTACT_AUTO", "contacts of its kind are not read", "[0.3, 0, = 0*area]"),
                                      ("SURFACE_ID", "SURFACE_ORTHO_FRICTION_ID", "of _ORTHO_FRICTION, are not read", ""),
                                      ("SURFACE_ID\n         8lid on drum\n         1         2         3         3\n       2.0        5.", "SURFACE_THERMAL_FRICTION_ID\n         8lid on drum\n         1         2         3         3\n      -2.0        1.", "the curves over temperature of _THERMAL_FRICTION", ""),
                                      ("SURFACE_ID", "SURFACE_THERMAL_FRICTION_ID", "the curves over temperature of _THERMAL_FRICTION", "")):

@@ -16,7 +16,8 @@ std::vector<std::string> comment_lines(const std::filesystem::path& file);
 /// Beginning of the line in which a file of the program states the units of its columns.
 inline constexpr std::string_view kColumnsMark = "# columns: ";
 
-/// Names and units in such a line, "# columns: t [s], MU []"; the unit is empty where there is none.
+/// Names and units in such a line, "# columns: t [s], MU []"; the unit is empty where there is
+/// none.
 std::vector<std::pair<std::string, std::string>> column_units(std::string_view line);
 
 }  // namespace slipbench::driver::base

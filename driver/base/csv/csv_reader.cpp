@@ -467,14 +467,24 @@ tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values,
   }
 }
 
-tl::expected<void, HistoryError> CsvReader::rewind() {
+CsvReader::Place CsvReader::place() const {
+  const File& file = *file_;
+  return {file.lines.offset(), file.lines.next_line, file.row_line, file.rows};
+}
+
+tl::expected<void, HistoryError> CsvReader::go_back(const Place& place) {
   File& file = *file_;
-  file.row_line = file.header_line;
+  file.row_line = place.row_line;
   file.blank_line = 0;
   file.blank_lines = 0;
-  file.rows = 0;
-  file.missing = {};
-  return file.lines.go_back(file.rows_offset, file.rows_line);
+  file.rows = place.rows;
+  return file.lines.go_back(place.offset, place.next_line);
+}
+
+tl::expected<void, HistoryError> CsvReader::rewind() {
+  const File& file = *file_;
+  file_->missing = {};
+  return go_back({file.rows_offset, file.rows_line, file.header_line, 0});
 }
 
 long CsvReader::line() const { return file_->row_line; }

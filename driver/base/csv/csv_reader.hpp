@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -63,6 +65,20 @@ class CsvReader {
   tl::expected<bool, HistoryError> next(std::span<double> values,
                                         std::span<std::string_view> texts);
 
+  /// A place between two rows of the file.
+  struct Place {
+    off_t offset = 0;
+    long next_line = 0;
+    long row_line = 0;  ///< of the row before it
+    long rows = 0;      ///< before it
+  };
+
+  /// Returns the place behind the last row read.
+  Place place() const;
+
+  /// Goes back to a place, where no row lacks a sample. Error: the file cannot be read again.
+  tl::expected<void, HistoryError> go_back(const Place& place);
+
   /// Goes back to before the first row. Error: the file cannot be read again.
   tl::expected<void, HistoryError> rewind();
 
@@ -75,9 +91,10 @@ class CsvReader {
   /// The column of the file that is meant by a name; nothing if there is none, or more than one.
   std::optional<std::size_t> find(std::string_view column) const;
 
-  /// The unit that the file states for a column: in its row of units, or else behind the name in the
-  /// header, or else in a line "# columns: NAME [unit], .." above it, as the program's own files
-  /// have it ("-" where it says there is none). Empty if it states none, and for what is no unit
+  /// The unit that the file states for a column: in its row of units, or else behind the name in
+  /// the header, or else in a line "# columns: NAME [unit], .." above it, as the program's own
+  /// files have it ("-" where it says there is none). Empty if it states none, and for what is no
+  /// unit
   /// ("Force (left)").
   std::string_view unit(std::string_view column) const;
 

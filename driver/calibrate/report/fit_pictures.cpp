@@ -25,6 +25,8 @@ namespace slipbench::driver::calibrate {
 namespace fs = std::filesystem;
 namespace {
 
+/// Gnuplot takes some 50 ms for the two of an experiment.
+constexpr std::size_t kMostDrawn = 20;
 constexpr std::size_t kMostResponses = 6;
 constexpr std::size_t kMostBlocks = 6;
 constexpr std::size_t kPoints = 3000;
@@ -351,6 +353,8 @@ class Pictures {
     found_.written.push_back(folder_ / file);
   }
 
+  void note(std::string text) { found_.notes.push_back(std::move(text)); }
+
   FitPictures take() { return std::move(found_); }
 
  private:
@@ -388,8 +392,14 @@ FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
                               const base::Overwriting& overwriting) {
   const std::vector<std::string> names = fit_picture_names(fit, stem);
   Pictures pictures(folder, fit.file, overwriting);
+  std::size_t drawn = 0;
   for (const FittedExperiment& one : calibration.experiments) {
     if (one.responses.empty()) continue;
+    if (drawn++ == kMostDrawn) {
+      pictures.note(fmt::format("pictures show the first {} of {} experiments, the page all",
+                                kMostDrawn, calibration.experiments.size()));
+      break;
+    }
     pictures.draw(names.at(2 * one.index), "fit_loops.gp", [&] { return loops(fit, one); });
     pictures.draw(names.at(2 * one.index + 1), "fit_residuals.gp",
                   [&] { return residuals(fit, one); });

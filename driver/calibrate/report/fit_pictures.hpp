@@ -27,9 +27,10 @@ std::vector<std::string> fit_picture_names(const Fit& fit, std::string_view stem
 ///   `STEM.EXPERIMENT.loop.svg`       measured, before and after, over time and over the position
 ///   `STEM.EXPERIMENT.residuals.svg`  what is left, over time and as a histogram
 ///   `STEM.TABLE.table.svg`           ordinates before and after with their intervals
-/// Characters of a name that do not belong into a file's name become '-'. A picture that does not
-/// come about is a note, no failure: the page has the same curves; one that would take the place of
-/// what must stay is not drawn.
+/// The first two are drawn of the first 20 experiments, which is told. Characters of a name that do
+/// not belong into a file's name become '-'. A picture that does not come about is a note, no
+/// failure: the page has the same curves; one that would take the place of what must stay is not
+/// drawn.
 FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
                               const std::filesystem::path& folder, std::string_view stem,
                               const base::Overwriting& overwriting = {});

@@ -111,7 +111,8 @@ class CaseParts {
   bool belt_ = false;
   law::ComponentSet forces_;  ///< constraint forces that the case has
   std::vector<std::string> asked_, asked_why_, notes_;
-  std::set<std::string> ambient_;  ///< temperature and fields that tables see
+  std::optional<bool> changes_stick_;  ///< some change of the deck states an elastic slip
+  std::set<std::string> ambient_;      ///< temperature and fields that tables see
   std::array<double, law::kComponents> initial_{}, values_{}, loads_{};
   law::ComponentSet driven_;
   std::array<bool, law::kComponents> moved_{},

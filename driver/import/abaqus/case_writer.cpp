@@ -103,6 +103,9 @@ std::string CaseParts::text() {
   const std::string friction = friction_text();
   const std::string springs = springs_text();
   const std::string history = history_text();
+  if (options_.characters != nullptr) {
+    *options_.characters += derived.size() + friction.size() + springs.size();
+  }
   std::string all = fmt::format("# {}\n# of {}, written by slipbench import.\n",
                                 described(connector_), base::printable(options_.deck));
   if (!asked_.empty()) {

@@ -25,6 +25,8 @@ struct CaseOptions {
   std::string units;  ///< "length: mm, force: N, time: s", or empty: a deck does not say
   RecordedHistory history = {};
   std::string folder = ".";  ///< of the case, where its files are looked for
+  /// Counts what is written, also of a case that is passed over in the end; null: nobody counts.
+  std::size_t* characters = nullptr;
 };
 
 /// Writes the case of a connector. What a deck has no numbers for is a parameter without a value:

@@ -33,7 +33,9 @@ std::string CaseParts::history_text() {
   loads_.fill(0.0);
   double begin = 0.0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    text += step_text(steps[i], i == 0, i + 1 == steps.size(), begin);
+    const std::string step = step_text(steps[i], i == 0, i + 1 == steps.size(), begin);
+    if (options_.characters != nullptr) *options_.characters += step.size();
+    text += step;
     constexpr std::size_t kMostText = std::size_t{4} << 20U;
     if (text.size() > kMostText) {
       pass(
@@ -329,14 +331,14 @@ std::string CaseParts::changed_stick(const Friction& friction, const FrictionCha
   const auto has_own = [](const Coefficient& one) {
     return one.elastic_slip || one.slip_tolerance;
   };
-  bool differs = has_own(*friction.coefficient);
-  for (const Step& step : model_.steps) {
-    for (const FrictionChange& one : step.changes) {
-      differs = differs || (one.coefficient && has_own(*one.coefficient));
-    }
+  if (!changes_stick_) {
+    changes_stick_ = std::ranges::any_of(model_.steps, [&](const Step& step) {
+      return std::ranges::any_of(step.changes, [&](const FrictionChange& one) {
+        return one.coefficient && has_own(*one.coefficient);
+      });
+    });
   }
-  if (!differs) return {};
-  return "slip_tolerance: 0.0001";
+  return has_own(*friction.coefficient) || *changes_stick_ ? "slip_tolerance: 0.0001" : "";
 }
 
 std::string CaseParts::blend_text(const Step& step, const FrictionChange& change, double begin) {

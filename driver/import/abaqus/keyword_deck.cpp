@@ -239,9 +239,11 @@ void KeywordDeck::read_parameters(const Block& block) {
       return;
     }
     const std::string name = small(trimmed(text.substr(0, equals)));
-    std::string formula(text.substr(equals + 1));
-    for (std::size_t at = formula.find("**"); at != formula.npos; at = formula.find("**", at)) {
-      formula.replace(at, 2, "^");
+    std::string formula;
+    for (std::size_t i = equals + 1; i < text.size(); ++i) {
+      const bool power = text.substr(i, 2) == "**";
+      formula += power ? '^' : text[i];
+      i += power ? 1 : 0;
     }
     const auto compiled = base::Expression::compile(small(formula), {}, numbers_);
     const auto value = compiled ? (*compiled)({}) : tl::unexpected(compiled.error());

@@ -157,6 +157,7 @@ class Reader {
         one.shift = a + one.turn * (one.shift - a);
       }
     }
+    instance_of_.try_emplace(one.label, instances_.size());
     instances_.push_back(one);
   }
 
@@ -550,14 +551,17 @@ class Reader {
   /// into memory is refused.
   void add(Connector connector, const Element& element, const Section& section,
            const Instance* instance) {
-    constexpr std::size_t kMostConnectors = 200'000;
-    constexpr std::size_t kMostNames = 2'000'000;
-    names_ += connector.labels.size();
-    if (model_.connectors.size() == kMostConnectors || names_ > kMostNames) {
+    constexpr std::size_t kMostConnectors = 100'000;
+    constexpr std::size_t kMostMegabytes = 150;
+    // Each is in the element and in the connector.
+    constexpr std::size_t kNode = 80;
+    for (const std::string& label : connector.labels) names_ += 2 * (kNode + label.size());
+    if (model_.connectors.size() == kMostConnectors || names_ > kMostMegabytes * 1'000'000) {
       if (!too_many_) {
         deck_.error(element.where, *section.block,
-                    fmt::format("there are more than {} connectors, or {} names of them in sets",
-                                kMostConnectors, kMostNames));
+                    fmt::format("there are more than {} connectors, or names of them in sets for "
+                                "more than {} MB",
+                                kMostConnectors, kMostMegabytes));
       }
       too_many_ = true;
       return;
@@ -566,9 +570,8 @@ class Reader {
     for (std::size_t i = 0; i < 2; ++i) {
       ends[i] = {node_of(element, element.nodes[i]), instance};
       if (const std::size_t dot = element.nodes[i].rfind('.'); dot != std::string_view::npos) {
-        for (const Instance& other : instances_) {
-          if (other.label == label_of(element.nodes[i].substr(0, dot))) ends[i].instance = &other;
-        }
+        const auto other = instance_of_.find(label_of(element.nodes[i].substr(0, dot)));
+        if (other != instance_of_.end()) ends[i].instance = &instances_[other->second];
       }
       if (ends[i].node) nodes_.try_emplace(*ends[i].node);
     }
@@ -594,12 +597,9 @@ class Reader {
       if (item.empty() || number < 1) return std::nullopt;
       return NodeName{element.part, number};
     }
-    const std::string label = label_of(item.substr(0, dot));
-    for (const Instance& instance : instances_) {
-      if (instance.label == label)
-        return NodeName{instance.part, deck_.whole(item.substr(dot + 1), -1)};
-    }
-    return std::nullopt;
+    const auto instance = instance_of_.find(label_of(item.substr(0, dot)));
+    if (instance == instance_of_.end()) return std::nullopt;
+    return NodeName{instances_[instance->second].part, deck_.whole(item.substr(dot + 1), -1)};
   }
 
   /// Reads the coordinates of the connectors' nodes, and no others: decks have millions.
@@ -666,6 +666,7 @@ class Reader {
   std::string part_;
   ElementSets sets_;
   std::vector<Instance> instances_;
+  std::map<std::string, std::size_t> instance_of_;  ///< label
   std::vector<Element> elements_;
   std::vector<Section> sections_;
   std::map<Scoped, std::size_t> section_of_set_;
@@ -679,7 +680,7 @@ class Reader {
   std::vector<const Block*> changes_;  ///< those of the step
   std::set<std::string> held_;         ///< nodes whose motion is held in all six components
   bool others_ = false;                ///< elements that are no connectors
-  std::size_t names_ = 0;              ///< of connectors, in sets
+  std::size_t names_ = 0;              ///< bytes that names of connectors, in sets, take
   bool too_many_ = false;
   bool has_time_ = false;
   bool change_open_ = false;

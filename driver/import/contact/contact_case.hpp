@@ -17,6 +17,10 @@ namespace slipbench::driver::import {
 inline constexpr std::string_view kPartsToFillIn =
     "the deck does not list its parts: fill in their ids";
 
+/// So many records of part pairs, their groups' parts and rows of tables have the contacts that are
+/// taken over at once, at most: all of them may name one table.
+inline constexpr std::size_t kMostRecords = 100'000;
+
 /// Friction between two sides, or of all parts that no other record joins.
 struct ContactRecord {
   std::array<std::string, 2> sides = {};  ///< each the id of a part, or the name of a group

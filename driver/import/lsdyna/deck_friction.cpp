@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -100,7 +100,8 @@ bool is_second_of_mpp(std::string_view card) {
 /// Reads all that a friction may be made of.
 class FrictionReader {
  public:
-  FrictionReader(const KeywordDeck& deck, base::Diagnostics& out) : deck_(deck), out_(out) {}
+  FrictionReader(const KeywordDeck& deck, base::Diagnostics& out, std::optional<int> contact)
+      : deck_(deck), out_(out), contact_(contact) {}
 
   std::vector<Found> read() {
     for (const Block& block : deck_.blocks) {
@@ -340,6 +341,7 @@ class FrictionReader {
   /// Gives a contact its friction, by what FS says.
   void take(const Coefficients& set, double fsf, double vsf, Found& found) {
     import::ContactFriction& friction = found.friction;
+    of_others_ = records_;
     if (set.fs == -1.0) {
       found.passed_over =
           "FS -1 takes the coefficients of its parts (*PART_CONTACT), which are joined by a rule "
@@ -368,6 +370,23 @@ class FrictionReader {
     tell_factors(fsf, vsf, friction);
   }
 
+  /// Tells whether a contact takes so many records; once there are too many, that is an error.
+  bool takes(std::size_t records, const Found& found) {
+    if (contact_ && found.id != *contact_) return false;
+    const bool had_room = records_ <= import::kMostRecords;
+    records_ += records;
+    if (records_ <= import::kMostRecords) return true;
+    if (had_room) {
+      out_.error(
+          deck_.texts[0].name(), {}, found.friction.name,
+          fmt::format("has more than {} records of part pairs and rows of tables, with those "
+                      "of the contacts before it",
+                      import::kMostRecords),
+          contact_ || of_others_ == 0 ? "" : "--interface takes one contact alone");
+    }
+    return false;
+  }
+
   void take_definition(const Coefficients& set, double fsf, double vsf, Found& found) {
     const int wanted = id_of(set.fd);
     const auto definition =
@@ -386,6 +405,11 @@ class FrictionReader {
       return;
     }
     named_.insert(definition->first);
+    std::size_t records = definition->second.pairs.size();
+    for (const import::ContactGroup& group : definition->second.groups) {
+      records += group.parts.size();
+    }
+    if (!takes(records, found)) return;
     std::string name = found.friction.name;
     std::string title = std::move(found.friction.title);
     found.friction = definition->second;
@@ -416,6 +440,7 @@ class FrictionReader {
         found.passed_over = fmt::format("a curve of *DEFINE_TABLE {} is not there", id);
         return;
       }
+      if (!takes(curve->size(), found)) return;
       for (const auto& [velocity, mu] : *curve) {
         rows += fmt::format("{}[{}, {}, = {}*area]", rows.empty() ? "" : ",\n        ",
                             number(fsf * mu), number(velocity), number(pressure));
@@ -456,6 +481,9 @@ class FrictionReader {
 
   const KeywordDeck& deck_;
   base::Diagnostics& out_;
+  std::optional<int> contact_;
+  std::size_t records_ = 0;
+  std::size_t of_others_ = 0;  ///< of the contacts before the one that is read
   std::map<int, import::ContactGroup> groups_;
   std::map<int, Curve> curves_;
   std::map<std::size_t, Curve> curve_of_block_;
@@ -468,8 +496,9 @@ class FrictionReader {
 
 }  // namespace slipbench::driver::lsdyna
 
-std::vector<Found> read_frictions(const KeywordDeck& deck, base::Diagnostics& out) {
-  return FrictionReader(deck, out).read();
+std::vector<Found> read_frictions(const KeywordDeck& deck, base::Diagnostics& out,
+                                  std::optional<int> contact) {
+  return FrictionReader(deck, out, contact).read();
 }
 
 }  // namespace slipbench::driver::lsdyna

@@ -26,6 +26,8 @@ struct Found {
 /// *DEFINE_FRICTION, which has them for pairs of parts; or where FS is 2 a *DEFINE_TABLE of mu over
 /// the relative velocity for several pressures. Faults are reported, and what has some left out.
 /// Source: LS-DYNA keyword manual, *CONTACT and *DEFINE_FRICTION.
-std::vector<Found> read_frictions(const KeywordDeck& deck, base::Diagnostics& out);
+/// \param contact the id of the only one whose tables are wanted, or no id of a contact: of none
+std::vector<Found> read_frictions(const KeywordDeck& deck, base::Diagnostics& out,
+                                  std::optional<int> contact = std::nullopt);
 
 }  // namespace slipbench::driver::lsdyna

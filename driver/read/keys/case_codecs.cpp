@@ -554,10 +554,18 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
         variables.push_back(binder.is_parameter(cases::motion_name(c)) ? ""
                                                                        : cases::motion_name(c));
       }
+      if (binder.has_most_formulas()) {
+        binder.error(node, path,
+                     fmt::format("the steps have more than {} formulas over the time",
+                                 Binder::kMostFormulas),
+                     "'repeat' takes a step again, and '= ..T..' goes on through all of them");
+        return false;
+      }
       auto compiled = binder.expression(node, path, variables);
       if (!compiled) return false;
       const auto used = compiled->used_variables();
       if (std::any_of(used.begin(), used.end(), is_position)) {
+        binder.count_formula();
         out.profile = history::PositionFormula{std::move(*compiled)};
         return true;
       }
@@ -572,6 +580,7 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
         out.profile = history::Constant{*value};
         return true;
       }
+      binder.count_formula();
       out.profile = history::ExpressionProfile{std::move(*compiled)};
       return true;
     }

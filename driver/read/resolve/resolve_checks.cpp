@@ -189,6 +189,12 @@ std::optional<cases::ClosedFormReference> closed_form(yaml::Binder& binder, cons
       good = false;
       continue;
     }
+    // Each is gone through in every row.
+    constexpr std::size_t kMostEntries = 1000;
+    if (!binder.few_enough(*given.node, given.path, kMostEntries)) {
+      good = false;
+      continue;
+    }
     for (const double value : given.value.values) {
       good =
           binder.in_bounds(value, *given.node, given.path,

@@ -112,6 +112,7 @@ std::optional<Rows> rows_of(yaml::Binder& binder, const TableText& text, const y
     binder.history_error(*text.csv.node, text.csv.path, error);
     return std::nullopt;
   };
+  if (!binder.may_read(*text.csv.node, text.csv.path, *source)) return std::nullopt;
   auto reader = base::CsvReader::open(*source, columns);
   if (!reader) return fail(reader.error());
   for (const auto& column : text.columns.value) {

@@ -51,6 +51,30 @@ TEST_CASE("a measured history yields its rows in the case's units") {
   }
 }
 
+TEST_CASE("a history is taken again from the two rows before its start") {
+  const TemporaryFolder folder;
+  const std::string rows = "t,x\n-3,1\n# note\n-2,2\n-1,3\n0,4\n1,5\n1,6\n";
+  const auto file = folder.write("rig.csv", rows);
+  for (const auto missing : {base::MissingSample::kError, base::MissingSample::kHold}) {
+    auto history = MeasuredHistory::open(
+        {{file, "rig.csv", {.missing = missing}}, "t", {}, {{0, "x", {}}}, false});
+    REQUIRE(history);
+    for (int pass = 0; pass < 3; ++pass) {
+      // A sample may be held from any row before.
+      const bool whole = pass == 0 || missing == base::MissingSample::kHold;
+      for (double time = whole ? -3.0 : -1.0; time < 2.0; time += 1.0) {
+        REQUIRE(history->advance().value());
+        CHECK(history->time() == time);
+        CHECK(history->values()[0] == time + 4.0);
+        CHECK(history->line() == (time < -2.0 ? 2 : static_cast<long>(time) + 6));
+      }
+      CHECK(history->advance().error().message.starts_with(
+          "the time 't' does not increase: 1 after 1 in line 7"));
+      REQUIRE(history->rewind());
+    }
+  }
+}
+
 TEST_CASE("times that do not increase are refused with both of them and their lines") {
   const auto equal = rows_of("t,x\n0,1\n0.5,1\n# note\n0.5,2\n");
   REQUIRE_FALSE(equal);

@@ -204,7 +204,7 @@ TEST_CASE("a formula without a value gives NaN and an error, not a number") {
 
 TEST_CASE("columns of a file are linear between the rows, which are breakpoints") {
   const TemporaryFolder folder;
-  const auto file = folder.write("rig.csv", "t,x\n-1,9\n0,1\n0.5,2\n2,5\n3,6\n");
+  const auto file = folder.write("rig.csv", "t,x\n-3,7\n-2,8\n-1,9\n0,1\n0.5,2\n2,5\n3,6\n");
   ProfileCursor cursor = opened(csv(file, {2.0, 0.0}));
   for (int repeat = 0; repeat < 2; ++repeat) {
     REQUIRE(cursor.begin({2.5, 0.0, 0.0}));

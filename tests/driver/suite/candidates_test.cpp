@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> labels(const std::vector<Candidate>& found) {
   std::vector<std::string> all;
+  all.reserve(found.size());
   for (const Candidate& candidate : found) all.push_back(candidate.label);
   return all;
 }
