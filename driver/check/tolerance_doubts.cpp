@@ -64,9 +64,10 @@ std::vector<std::string> tolerance_doubts(const cases::Tolerance& tolerance,
                                    : "absolute: " + base::with_unit(one_digit_up(enough), use.unit);
     doubts.push_back(
         fmt::format("the tolerance of {} is {}; {} would do", told(bound, use.unit), seen, advice));
-  } else if (const double largest = use.largest.value_or(0.0); 0.0 < largest && largest <= bound) {
+  } else if (const double largest = use.largest.value_or(0.0);
+             0.0 < largest && largest <= absolute) {
     doubts.push_back(fmt::format("the tolerance of {} is as large as the reference itself, {}",
-                                 told(bound, use.unit), told(largest, use.unit)));
+                                 told(absolute, use.unit), told(largest, use.unit)));
   }
   // Half a unit and a tolerance of the same size are equal but for rounding.
   if (bound < digits * (1.0 - 1e-9) && use.worst <= kOfRounding * digits) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -70,7 +71,9 @@ std::vector<suite::Candidate> chosen(const CheckOptions& options,
                                      const std::vector<suite::Candidate>& all) {
   std::vector<suite::Candidate> cases;
   std::copy_if(all.begin(), all.end(), std::back_inserter(cases), [&](const suite::Candidate& c) {
-    return !c.fault.empty() || suite::label_matches_any(c.label, options.filters);
+    std::error_code unknown;
+    const bool is_missing = !c.is_searched && !std::filesystem::exists(c.path, unknown);
+    return !c.fault.empty() || is_missing || suite::label_matches_any(c.label, options.filters);
   });
   return cases;
 }

@@ -25,7 +25,8 @@ ImportedDeck import_lsdyna(const ImportOptions& options) {
       diagnostics);
   std::vector<ContactChoice> choices;
   constexpr int kNone = std::numeric_limits<int>::min();
-  const std::optional<int> contact = options.id ? kNone : options.interface;
+  std::optional<int> contact = options.interface;
+  if (options.id && !contact) contact = kNone;
   for (lsdyna::Found& one : lsdyna::read_frictions(deck, diagnostics, contact)) {
     const bool meant = (!options.id && !options.interface) ||
                        (one.is_table ? options.id : options.interface) == one.id;

@@ -59,8 +59,7 @@ tl::expected<bool, base::HistoryError> MeasuredHistory::advance() {
   time_ = time;
   ++rows_;
   // A sample that is missing may be held from a row before these.
-  if (time <= 0.0 && before.rows > 0 &&
-      source_.data.format.missing == base::MissingSample::kError) {
+  if (time <= 0.0 && before.rows > 0 && source_.data.format.missing != base::MissingSample::kHold) {
     start_ = last_;
   }
   last_ = before;

@@ -42,7 +42,8 @@ base::json::Value list_of_files(std::span<const base::OutputFile* const> files) 
   for (const base::OutputFile* file : files) {
     base::json::Value one;
     one["name"] = file->target().filename().string();
-    one["hash"] = digits(file->hash());
+    // Other formats are not appended to alone.
+    if (file->target().extension() == ".csv") one["hash"] = digits(file->hash());
     list.push_back(one);
   }
   return list;

@@ -12,8 +12,8 @@
 
 namespace slipbench::driver::results {
 
-/// Lists files that are closed: name, and the hash of their bytes (StreamHash, 16 hexadecimal
-/// digits).
+/// Lists files that are closed: name, and of a CSV file the hash of its bytes (StreamHash, 16
+/// hexadecimal digits).
 base::json::Value list_of_files(std::span<const base::OutputFile* const> files);
 
 /// Tells whether a file has the bytes of one that the JSON of a run lists. One that lists none, as

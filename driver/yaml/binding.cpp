@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string>
 
+#include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/files/data_path.hpp"
 #include "driver/base/files/standard_input.hpp"
 #include "driver/base/text/format_number.hpp"
@@ -167,16 +168,38 @@ std::optional<base::Expression> Binder::expression(const Node& node, const Path&
   return std::nullopt;
 }
 
+bool Binder::is_foreign_unit(std::string_view unit) const {
+  if (!units_) return false;
+  bool differs = false;
+  for (const base::Dimension& dimension :
+       {base::kLength, base::kForce, base::kMoment, base::kTime, base::kTemperature, base::kAngle,
+        base::Dimension{.length = 1, .time = -1}, base::Dimension{.time = -1, .angle = 1}}) {
+    const auto found = base::conversion_to_case(unit, dimension, *units_);
+    if (found && *found == base::UnitConversion{}) return false;
+    differs = differs || found.has_value();
+  }
+  return differs;
+}
+
+const std::string& Binder::missing(const base::DataSource& source,
+                                   std::span<const std::string> columns) {
+  std::string key = base::in_words(source.file.string(), source.format);
+  for (const std::string& column : columns) key += "\n" + column;
+  const auto [known, is_new] = missing_.try_emplace(std::move(key));
+  if (is_new) known->second = base::count_missing(source, columns).value_or("");
+  return known->second;
+}
+
 bool Binder::may_read(const Node& node, const Path& path, const base::DataSource& source) {
   constexpr std::uintmax_t kAlways = std::uintmax_t{64} << 20U;
-  constexpr std::uintmax_t kTimes = 100;
+  constexpr std::uintmax_t kTimes = 450;
   // Rows in which samples may be missing are read field by field.
-  const std::uintmax_t effort = source.format.missing == base::MissingSample::kError ? 1 : 16;
+  const std::uintmax_t effort = source.format.missing == base::MissingSample::kError ? 1 : 4;
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(source.file, unknown);
   if (unknown) return true;
   read_ += effort * size;
-  longest_read_ = std::max(longest_read_, effort * size);
+  longest_read_ = std::max(longest_read_, size);
   if (read_ <= kAlways + kTimes * longest_read_) return true;
   error(node, path, "files of numbers are read again and again: too often for a case",
         "drive the case by one 'history: {csv: ..}', or its steps by 'repeat'");

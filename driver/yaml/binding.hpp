@@ -199,10 +199,19 @@ class Binder {
   /// there, once the case has the same files read again and again.
   bool may_read(const Node& node, const Path& path, const base::DataSource& source);
 
+  /// Tells whether a unit is another one than the case's, of some quantity that it may be of. False
+  /// for what the case states no unit of.
+  [[nodiscard]] bool is_foreign_unit(std::string_view unit) const;
+
+  /// Returns what is missing in columns of a file of numbers (count_missing), which is read for it
+  /// once; empty if nothing is, or if it cannot be read.
+  const std::string& missing(const base::DataSource& source, std::span<const std::string> columns);
+
   /// Counts a formula over the time, whose compiled form stays.
-  void count_formula() { ++kept_formulas_; }
-  /// Tells whether a case has as many of them as it may have.
-  [[nodiscard]] bool has_most_formulas() const { return kept_formulas_ >= kMostFormulas; }
+  /// Returns false once they are more than a case may have.
+  bool count_formula() { return ++kept_formulas_ <= kMostFormulas; }
+  /// Tells whether they are: then nothing is compiled any more.
+  [[nodiscard]] bool has_too_many_formulas() const { return kept_formulas_ > kMostFormulas; }
   static constexpr std::size_t kMostFormulas = 10'000;
 
  private:
@@ -228,8 +237,9 @@ class Binder {
   std::vector<std::string> data_files_;
   std::size_t table_rows_ = 0;
   std::size_t kept_formulas_ = 0;
-  std::uintmax_t read_ = 0;          ///< bytes of files of numbers
-  std::uintmax_t longest_read_ = 0;  ///< of the largest of them
+  std::map<std::string, std::string> missing_;  ///< of files and columns, in words
+  std::uintmax_t read_ = 0;                     ///< bytes of files of numbers
+  std::uintmax_t longest_read_ = 0;             ///< of the largest of them
   bool allow_outside_;
   bool standard_input_refused_ = false;
   bool environment_failed_ = false;

@@ -500,7 +500,12 @@ std::string_view CsvReader::unit(std::string_view column) const {
   if (!found) return {};
   if (!file_->units.empty() && !file_->units[*found].empty()) return file_->units[*found];
   const std::string_view unit = split_column_name(file_->header[*found]).unit;
-  if (is_unit_or_dash(unit)) return unit;
+  return is_unit_or_dash(unit) ? unit : unit_above(column);
+}
+
+std::string_view CsvReader::unit_above(std::string_view column) const {
+  const auto found = find(column);
+  if (!found) return {};
   const auto stated = file_->stated.find(file_->header[*found]);
   const bool known = stated != file_->stated.end() && is_unit_or_dash(stated->second);
   return known ? std::string_view(stated->second) : std::string_view();

@@ -76,7 +76,8 @@ class CsvReader {
   /// Returns the place behind the last row read.
   Place place() const;
 
-  /// Goes back to a place, where no row lacks a sample. Error: the file cannot be read again.
+  /// Goes back to a place of a file whose missing samples are not held. Error: the file cannot be
+  /// read again.
   tl::expected<void, HistoryError> go_back(const Place& place);
 
   /// Goes back to before the first row. Error: the file cannot be read again.
@@ -97,6 +98,9 @@ class CsvReader {
   /// unit
   /// ("Force (left)").
   std::string_view unit(std::string_view column) const;
+
+  /// The unit that the line above the header states for a column, or empty.
+  std::string_view unit_above(std::string_view column) const;
 
   /// "; write {file: rig.csv, skip: 4}" if so written the file would have these columns and rows of
   /// numbers below them; empty otherwise.

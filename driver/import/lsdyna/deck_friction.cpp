@@ -232,12 +232,13 @@ class FrictionReader {
       if (cards.is_blank(card)) continue;
       const Coefficients set = read_coefficients(cards, card, 2);
       import::ContactRecord& pair = friction.pairs.emplace_back(record(set, limited));
-      for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t side = 0; side < 2 && cards.sound(); ++side) {
         const int number = cards.id(card, side, "PID");
         if (number <= 0) cards.refuse(card, side, "wanted the id of a part or of a set of parts");
         const std::string_view type = cards.text(card, 6 + side);
         const bool is_set = type == "PSET" || type == "pset" || type == "Pset";
-        if (!is_set && !type.empty()) cards.refuse(card, 6 + side, "wanted PSET or nothing");
+        if (!is_set && !type.empty() && type != "0")
+          cards.refuse(card, 6 + side, "wanted PSET or nothing");
         pair.sides[side] = (is_set ? "S" : "") + std::to_string(number);
         if (is_set && met.insert(number).second) {
           const auto group = groups_.find(number);

@@ -89,6 +89,7 @@ class Splitter {
 
   Cards begin(std::string_view line) {
     std::string keyword = in_capitals(trimmed(line.substr(1)));
+    if (keyword.empty()) return Cards::kNone;
     if (keyword == "END") {
       ended_ = true;
       return Cards::kNone;

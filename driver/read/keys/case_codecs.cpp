@@ -541,6 +541,16 @@ std::optional<history::Tabular> read_tabular(Binder& binder, const Node& node, c
   return tabular;
 }
 
+/// Counts a formula whose compiled form stays; false, after an error, where there are too many.
+bool count_formula(Binder& binder, const Node& node, const Path& path) {
+  if (binder.count_formula()) return true;
+  binder.error(
+      node, path,
+      fmt::format("the steps have more than {} formulas over the time", Binder::kMostFormulas),
+      "'repeat' takes a step again, and '= ..T..' goes on through all of them");
+  return false;
+}
+
 }  // namespace
 
 bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path,
@@ -554,18 +564,12 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
         variables.push_back(binder.is_parameter(cases::motion_name(c)) ? ""
                                                                        : cases::motion_name(c));
       }
-      if (binder.has_most_formulas()) {
-        binder.error(node, path,
-                     fmt::format("the steps have more than {} formulas over the time",
-                                 Binder::kMostFormulas),
-                     "'repeat' takes a step again, and '= ..T..' goes on through all of them");
-        return false;
-      }
+      if (binder.has_too_many_formulas()) return count_formula(binder, node, path);
       auto compiled = binder.expression(node, path, variables);
       if (!compiled) return false;
       const auto used = compiled->used_variables();
       if (std::any_of(used.begin(), used.end(), is_position)) {
-        binder.count_formula();
+        if (!count_formula(binder, node, path)) return false;
         out.profile = history::PositionFormula{std::move(*compiled)};
         return true;
       }
@@ -580,7 +584,7 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
         out.profile = history::Constant{*value};
         return true;
       }
-      binder.count_formula();
+      if (!count_formula(binder, node, path)) return false;
       out.profile = history::ExpressionProfile{std::move(*compiled)};
       return true;
     }

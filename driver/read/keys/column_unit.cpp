@@ -106,9 +106,8 @@ std::optional<ColumnUnit> column_unit(yaml::Binder& binder, const base::CsvReade
 void note_missing(yaml::Binder& binder, const base::DataSource& source,
                   std::span<const std::string> columns, const yaml::Node& at,
                   const yaml::Path& path) {
-  const auto counted = base::count_missing(source, columns);
-  if (!counted || counted->empty()) return;
-  binder.note(at, path, (source.shown_name + ": ").append(*counted));
+  const std::string& missing = binder.missing(source, columns);
+  if (!missing.empty()) binder.note(at, path, source.shown_name + ": " + missing);
 }
 
 }  // namespace slipbench::driver::read

@@ -255,7 +255,7 @@ std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const Chec
     base::DataSource source{result->file, result->shown_name, result->format};
     if (last.source != source) {
       auto opened = base::CsvReader::open(source, {});
-      last = {std::move(source), opened ? std::optional(std::move(*opened)) : std::nullopt, {}};
+      last = {std::move(source), opened ? std::optional(std::move(*opened)) : std::nullopt};
     }
     if (last.file) header = &*last.file;
   }
@@ -285,11 +285,8 @@ std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const Chec
     });
     if (found != names.end()) compared_names.push_back(*found);
   }
-  const auto [told, is_new] = last.missing.try_emplace(compared_names);
-  if (is_new) told->second = base::count_missing(last.source, compared_names).value_or("");
-  if (!told->second.empty()) {
-    binder.note(*against.curve.node, against.curve.path, result->shown_name + ": " + told->second);
-  }
+  note_missing(binder, {result->file, result->shown_name, result->format}, compared_names,
+               *against.curve.node, against.curve.path);
   result->abscissa = {std::move(abscissa_names), *over};
   result->column = {std::move(column_names), *compared};
   return result;

@@ -2,7 +2,6 @@
 // Abscissa of a check, and the reference curve it names.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,8 +32,7 @@ std::optional<AbscissaChoice> read_abscissa(yaml::Binder& binder, const CheckTex
 /// The curve whose header was read last: as a rule the next check names it again.
 struct OpenCurve {
   base::DataSource source;
-  std::optional<base::CsvReader> file;                           ///< nothing if it cannot be read
-  std::map<std::vector<std::string>, std::string> missing = {};  ///< of columns, in words
+  std::optional<base::CsvReader> file;  ///< nothing if it cannot be read
 };
 
 /// The curve under `against:`.

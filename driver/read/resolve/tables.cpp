@@ -118,6 +118,7 @@ std::optional<Rows> rows_of(yaml::Binder& binder, const TableText& text, const y
   for (const auto& column : text.columns.value) {
     const std::string unit(reader->unit(column.value));
     if (unit.empty() || unit == "-") continue;
+    if (unit == reader->unit_above(column.value) && !binder.is_foreign_unit(unit)) continue;
     binder.error(*column.node, column.path,
                  rows.file + " states column '" + base::printable(column.value) + "' in " +
                      base::printable(unit) + ", and a table is read in the case's units",

@@ -55,7 +55,8 @@ TEST_CASE("a history is taken again from the two rows before its start") {
   const TemporaryFolder folder;
   const std::string rows = "t,x\n-3,1\n# note\n-2,2\n-1,3\n0,4\n1,5\n1,6\n";
   const auto file = folder.write("rig.csv", rows);
-  for (const auto missing : {base::MissingSample::kError, base::MissingSample::kHold}) {
+  for (const auto missing :
+       {base::MissingSample::kError, base::MissingSample::kSkip, base::MissingSample::kHold}) {
     auto history = MeasuredHistory::open(
         {{file, "rig.csv", {.missing = missing}}, "t", {}, {{0, "x", {}}}, false});
     REQUIRE(history);
