@@ -86,8 +86,15 @@ def csv(folder, size):
         for begin in range(0, rows, 1000):
             file.write("".join(f"{begin + i}.000000000000,{cycle[i]:.17f}\n" for i in range(1000)))
     (folder / "csv.yaml").write_text(HEAD + "friction:\n  - {predefined: {}, coefficient: 0.2, stick: {stiffness: 1.0e+4}}\nhistory:\n" + PRESS +
-                                     "  - {step: rub, duration: 1000, increments: 1000, motion: {CP1: {csv: motion.csv, time: time, value: way}}}\n")
-    return run(folder, "run", folder / "csv.yaml", "-o", folder / "out")
+                                     f"  - {{step: rub, duration: {rows - 1}, increments: 1000, motion: {{CP1: {{csv: motion.csv, time: time, value: way}}}}}}\n"
+                                     "output: {every: 1000000}\n")
+    cost = run(folder, "run", folder / "csv.yaml", "-o", folder / "out")
+    # 0, 1, 0, -1, ..: the first row of a cycle and its third are 0, so all that is read shows in the way.
+    one = summary_of(folder, "csv")
+    slip, elastic = one["definitions"][0]["accumulated_slip"], 20.0 / 1e4
+    turns = (rows - 2) // 2  # at the second row, then at every other one
+    expect(one["end_time"] == rows and abs(slip / (rows - 1 - elastic - 2 * elastic * turns) - 1) < 1e-8, f"{rows} rows: {one}")
+    return cost
 
 
 def suite(folder, size):
