@@ -221,7 +221,9 @@ int check_command(const CheckOptions& options) {
   if (!told.overwritten.empty())
     return base::worse(code, terminal::refuse(base::kExitEnvironment, told.overwritten));
   if (told.junit) files->junit->append(told.junit->text());
-  if (told.json) files->json->append(told.json->text(told.totals));
+  if (told.json) {
+    told.json->write(told.totals, [&](std::string_view text) { files->json->append(text); });
+  }
   bool complete = false;
   if (pages) {
     for (std::size_t i = told.cases; i < cases.size(); ++i) {

@@ -37,10 +37,13 @@ void SuiteJson::add(std::size_t place, const Candidate& candidate, const CaseOut
   for (const CheckOutcome& check : outcome.verdicts)
     checks.push_back(check::to_json(check.verdict));
   one["checks"] = std::move(checks);
-  cases_[place] = one.dump();
+  std::string text = one.dump();
+  text.shrink_to_fit();
+  cases_[place] = std::move(text);
 }
 
-std::string SuiteJson::text(const SuiteTotals& totals) const {
+void SuiteJson::write(const SuiteTotals& totals,
+                      const std::function<void(std::string_view)>& take) const {
   base::json::Value sums;
   sums["cases"] = totals.passed + totals.failed + totals.no_checks + totals.not_run;
   sums["passed"] = totals.passed;
@@ -50,10 +53,14 @@ std::string SuiteJson::text(const SuiteTotals& totals) const {
   sums["checks"] = totals.checks;
   sums["failed_checks"] = totals.failed_checks;
   sums["exit_code"] = totals.code;
-  std::string cases;
-  for (const auto& [place, text] : cases_) cases += (cases.empty() ? "\n  " : ",\n  ") + text;
-  return kJsonStart + base::json::Value(results::program_version()).dump() + ", \"cases\": [" +
-         cases + "\n], \"totals\": " + sums.dump() + "}\n";
+  take(kJsonStart + base::json::Value(results::program_version()).dump() + ", \"cases\": [");
+  std::string_view between = "\n  ";
+  for (const auto& [place, text] : cases_) {
+    take(between);
+    take(text);
+    between = ",\n  ";
+  }
+  take("\n], \"totals\": " + sums.dump() + "}\n");
 }
 
 }  // namespace slipbench::driver::suite

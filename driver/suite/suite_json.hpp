@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "driver/base/files/file_mark.hpp"
 #include "driver/suite/candidates.hpp"
@@ -20,7 +22,8 @@ class SuiteJson {
   /// \param place of the case in the suite
   void add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome);
 
-  std::string text(const SuiteTotals& totals) const;
+  /// Hands on the file's text piece by piece: of a large suite it is long.
+  void write(const SuiteTotals& totals, const std::function<void(std::string_view)>& take) const;
 
   /// The mark of every such file.
   static base::FileMark mark();
