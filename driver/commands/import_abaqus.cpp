@@ -37,7 +37,7 @@ struct Candidate {
 
 /// Cases that are written at once, each read back: some 1 ms a case.
 constexpr std::ptrdiff_t kMostAtOnce = 1000;
-/// Of so many connectors those are told of, too, that are not meant.
+/// Number of connectors up to which those that are not meant are told of, too.
 constexpr std::ptrdiff_t kMostBeside = 20;
 
 /// Returns how much is written for all cases of a deck, each twice: all repeat its steps and

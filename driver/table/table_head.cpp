@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "driver/base/csv/comment_lines.hpp"
 #include "driver/base/text/diagnostic.hpp"
 
 namespace slipbench::driver::table {
@@ -36,11 +37,11 @@ std::optional<TableFormat> format_of(const std::filesystem::path& file) {
 }
 
 std::string unit_of(const TableHead& head, std::string_view column) {
-  constexpr std::string_view kUnits = "\n# columns: ";
+  const std::string mark = "\n" + std::string(base::kColumnsMark);
   const std::string lines = "\n" + head.lines;
-  const std::size_t line = lines.find(kUnits);
+  const std::size_t line = lines.find(mark);
   if (line == std::string::npos) return {};
-  const std::size_t begin_units = line + kUnits.size();
+  const std::size_t begin_units = line + mark.size();
   const std::string units =
       ", " + lines.substr(begin_units, lines.find('\n', begin_units) - begin_units) + ", ";
   const std::string wanted = ", " + std::string(column) + " [";

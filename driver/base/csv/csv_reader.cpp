@@ -482,8 +482,8 @@ tl::expected<void, HistoryError> CsvReader::go_back(const Place& place) {
 }
 
 tl::expected<void, HistoryError> CsvReader::rewind() {
-  const File& file = *file_;
-  file_->missing = {};
+  File& file = *file_;
+  file.missing = {};
   return go_back({file.rows_offset, file.rows_line, file.header_line, 0});
 }
 

@@ -95,8 +95,7 @@ class CsvReader {
   /// The unit that the file states for a column: in its row of units, or else behind the name in
   /// the header, or else in a line "# columns: NAME [unit], .." above it, as the program's own
   /// files have it ("-" where it says there is none). Empty if it states none, and for what is no
-  /// unit
-  /// ("Force (left)").
+  /// unit ("Force (left)").
   std::string_view unit(std::string_view column) const;
 
   /// The unit that the line above the header states for a column, or empty.

@@ -18,8 +18,8 @@ inline std::uint64_t hash(std::string_view text) {
 }
 
 /// The hash of a text that comes in pieces, however it is cut: FNV-1a over its words of eight
-/// bytes, the lowest first and the last one filled up with zeros, and over its length. It takes an
-/// eighth of the time of `hash`, and is the same on every machine.
+/// bytes, the lowest first and the last one filled up with zeros, and over its length. The same on
+/// every machine.
 class StreamHash {
  public:
   void add(std::string_view text) {
