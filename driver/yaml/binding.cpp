@@ -10,7 +10,6 @@
 #include <mutex>
 #include <string>
 
-#include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/files/data_path.hpp"
 #include "driver/base/files/standard_input.hpp"
 #include "driver/base/text/format_number.hpp"
@@ -181,22 +180,18 @@ bool Binder::is_foreign_unit(std::string_view unit) const {
   return differs;
 }
 
-const std::string& Binder::missing(const base::DataSource& source,
-                                   std::span<const std::string> columns) {
-  std::string key = base::in_words(source.file.string(), source.format);
-  for (const std::string& column : columns) key += "\n" + column;
-  const auto [known, is_new] = missing_.try_emplace(std::move(key));
-  if (is_new) known->second = base::count_missing(source, columns).value_or("");
+const std::string& Binder::words_of(std::string key, const std::function<std::string()>& make) {
+  const auto [known, is_new] = kept_words_.try_emplace(std::move(key));
+  if (is_new) known->second = make();
   return known->second;
 }
 
-bool Binder::may_read(const Node& node, const Path& path, const base::DataSource& source) {
+bool Binder::may_read(const Node& node, const Path& path, const std::filesystem::path& file,
+                      std::uintmax_t effort) {
   constexpr std::uintmax_t kAlways = std::uintmax_t{64} << 20U;
   constexpr std::uintmax_t kTimes = 450;
-  // Rows in which samples may be missing are read field by field.
-  const std::uintmax_t effort = source.format.missing == base::MissingSample::kError ? 1 : 4;
   std::error_code unknown;
-  const std::uintmax_t size = std::filesystem::file_size(source.file, unknown);
+  const std::uintmax_t size = std::filesystem::file_size(file, unknown);
   if (unknown) return true;
   read_ += effort * size;
   longest_read_ = std::max(longest_read_, size);

@@ -18,7 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "driver/base/csv/data_source.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/history_error.hpp"
 #include "driver/base/text/json.hpp"
@@ -197,15 +196,16 @@ class Binder {
 
   /// Counts a file of numbers that is read through while the case is. Returns false, after an error
   /// there, once the case has the same files read again and again.
-  bool may_read(const Node& node, const Path& path, const base::DataSource& source);
+  /// \param effort of reading one byte, as a multiple of the least
+  bool may_read(const Node& node, const Path& path, const std::filesystem::path& file,
+                std::uintmax_t effort);
 
   /// Tells whether a unit is another one than the case's, of some quantity that it may be of. False
   /// for what the case states no unit of.
   [[nodiscard]] bool is_foreign_unit(std::string_view unit) const;
 
-  /// Returns what is missing in columns of a file of numbers (count_missing), which is read for it
-  /// once; empty if nothing is, or if it cannot be read.
-  const std::string& missing(const base::DataSource& source, std::span<const std::string> columns);
+  /// Returns the words of a key, which `make` is called for once.
+  const std::string& words_of(std::string key, const std::function<std::string()>& make);
 
   /// Counts a formula over the time, whose compiled form stays.
   /// Returns false once they are more than a case may have.
@@ -237,9 +237,9 @@ class Binder {
   std::vector<std::string> data_files_;
   std::size_t table_rows_ = 0;
   std::size_t kept_formulas_ = 0;
-  std::map<std::string, std::string> missing_;  ///< of files and columns, in words
-  std::uintmax_t read_ = 0;                     ///< bytes of files of numbers
-  std::uintmax_t longest_read_ = 0;             ///< of the largest of them
+  std::map<std::string, std::string> kept_words_;  ///< by keys
+  std::uintmax_t read_ = 0;                        ///< bytes of files of numbers
+  std::uintmax_t longest_read_ = 0;                ///< of the largest of them
   bool allow_outside_;
   bool standard_input_refused_ = false;
   bool environment_failed_ = false;

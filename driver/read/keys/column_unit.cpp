@@ -106,8 +106,18 @@ std::optional<ColumnUnit> column_unit(yaml::Binder& binder, const base::CsvReade
 void note_missing(yaml::Binder& binder, const base::DataSource& source,
                   std::span<const std::string> columns, const yaml::Node& at,
                   const yaml::Path& path) {
-  const std::string& missing = binder.missing(source, columns);
+  std::string key = base::in_words(source.file.string(), source.format);
+  for (const std::string& column : columns) key += "\n" + column;
+  const std::string& missing = binder.words_of(
+      std::move(key), [&] { return base::count_missing(source, columns).value_or(""); });
   if (!missing.empty()) binder.note(at, path, source.shown_name + ": " + missing);
+}
+
+bool may_read(yaml::Binder& binder, const base::DataSource& source, const yaml::Node& at,
+              const yaml::Path& path) {
+  // Rows in which samples may be missing are read field by field.
+  const bool by_rows = source.format.missing == base::MissingSample::kError;
+  return binder.may_read(at, path, source.file, by_rows ? 1 : 4);
 }
 
 }  // namespace slipbench::driver::read

@@ -37,4 +37,9 @@ void note_missing(yaml::Binder& binder, const base::DataSource& source,
                   std::span<const std::string> columns, const yaml::Node& at,
                   const yaml::Path& path);
 
+/// Counts a source that is read through while the case is (yaml::Binder::may_read). Returns false
+/// after reporting that the case reads too often.
+bool may_read(yaml::Binder& binder, const base::DataSource& source, const yaml::Node& at,
+              const yaml::Path& path);
+
 }  // namespace slipbench::driver::read

@@ -183,7 +183,7 @@ std::optional<history::Profile> finish(yaml::Binder& binder, const cases::Case& 
   }
   if (auto* csv = std::get_if<history::CsvColumn>(&profile)) {
     const yaml::Node& at = *text.csv.node;
-    if (!binder.may_read(at, text.csv.path, csv->data)) return std::nullopt;
+    if (!may_read(binder, csv->data, at, text.csv.path)) return std::nullopt;
     const std::array names{csv->time_column, csv->value_column};
     const auto file = base::CsvReader::open(csv->data, names);
     if (!file) {

@@ -9,6 +9,7 @@
 #include "driver/base/text/suggestions.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/read/keys/case_codecs.hpp"
+#include "driver/read/keys/column_unit.hpp"
 #include "driver/read/resolve/resolve.hpp"
 
 namespace slipbench::driver::read {
@@ -112,7 +113,7 @@ std::optional<Rows> rows_of(yaml::Binder& binder, const TableText& text, const y
     binder.history_error(*text.csv.node, text.csv.path, error);
     return std::nullopt;
   };
-  if (!binder.may_read(*text.csv.node, text.csv.path, *source)) return std::nullopt;
+  if (!may_read(binder, *source, *text.csv.node, text.csv.path)) return std::nullopt;
   auto reader = base::CsvReader::open(*source, columns);
   if (!reader) return fail(reader.error());
   for (const auto& column : text.columns.value) {
