@@ -55,13 +55,18 @@ std::vector<std::string_view> independents_of(const TableUse& use) {
 
 /// The rows of a table, from the case or from its CSV file, and how messages point at them.
 struct Rows {
-  std::vector<std::vector<double>> values;
+  /// Of the case's own `rows:`, of which there may be a million, or null.
+  const std::vector<std::vector<double>>* stated = nullptr;
+  std::vector<std::vector<double>> of_file;
   std::optional<yaml::Node> list;  ///< `rows:` of the case
   yaml::Path path;
   std::optional<yaml::Node> csv;  ///< where the case names the file
   std::string file;               ///< its name
   std::vector<long> lines;        ///< in the file
 
+  [[nodiscard]] const std::vector<std::vector<double>>& values() const {
+    return stated != nullptr ? *stated : of_file;
+  }
   /// Reports a fault of row r, item c (-1: the whole row).
   void error(yaml::Binder& binder, int r, int c, const std::string& message) const {
     const auto row = static_cast<std::size_t>(r);
@@ -96,7 +101,7 @@ std::optional<Rows> rows_of(yaml::Binder& binder, const TableText& text, const y
   Rows rows;
   if (text.rows.given()) {
     if (!text.rows.sound) return std::nullopt;
-    rows.values = text.rows.value;
+    rows.stated = &text.rows.value;
     rows.list = text.rows.node;
     rows.path = text.rows.path;
     return rows;
@@ -137,7 +142,7 @@ std::optional<Rows> rows_of(yaml::Binder& binder, const TableText& text, const y
                                yaml::Binder::kMostTableRows));
       return std::nullopt;
     }
-    rows.values.push_back(row);
+    rows.of_file.push_back(row);
     rows.lines.push_back(reader->line());
   }
   const std::string missing = base::in_words(reader->missing(), source->format.missing);
@@ -156,8 +161,8 @@ std::optional<law::Table> table(yaml::Binder& binder, const TableText& text, con
     return "'" + text.columns.value[static_cast<std::size_t>(c)].value + "'";
   };
   bool good = true;
-  for (std::size_t r = 0; r < rows->values.size(); ++r) {
-    const std::vector<double>& values = rows->values[r];
+  for (std::size_t r = 0; r < rows->values().size(); ++r) {
+    const std::vector<double>& values = rows->values()[r];
     const int row = static_cast<int>(r);
     if (static_cast<int>(values.size()) != dependents + independents) {
       rows->error(binder, row, -1,
@@ -179,7 +184,7 @@ std::optional<law::Table> table(yaml::Binder& binder, const TableText& text, con
   if (!good) return std::nullopt;
   law::Table result;
   law::TableError error;
-  if (law::Table::build(rows->values, dependents, independents, extrapolation, &result, &error)) {
+  if (law::Table::build(rows->values(), dependents, independents, extrapolation, &result, &error)) {
     return result;
   }
   using Kind = law::TableError::Kind;
@@ -197,7 +202,7 @@ std::optional<law::Table> table(yaml::Binder& binder, const TableText& text, con
     case Kind::kNotAscending: {
       const auto item = [&](int r) {
         return base::format_number(
-            rows->values[static_cast<std::size_t>(r)][static_cast<std::size_t>(error.column)]);
+            rows->values()[static_cast<std::size_t>(r)][static_cast<std::size_t>(error.column)]);
       };
       rows->error(binder, error.row, error.column,
                   "independents must ascend, the first one fastest: " + column(error.column) +
