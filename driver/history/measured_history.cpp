@@ -29,7 +29,10 @@ tl::expected<MeasuredHistory, base::HistoryError> MeasuredHistory::open(Measured
 
 tl::expected<bool, base::HistoryError> MeasuredHistory::advance() {
   const double previous = row_.front();
-  const Before before{reader_.place(), previous, time_, rows_};
+  reader_.note_place(&before_.place);
+  before_.raw_time = previous;
+  before_.time = time_;
+  before_.rows = rows_;
   const long previous_line = reader_.line();
   auto read = reader_.next(row_);
   if (!read) return read;
@@ -58,11 +61,8 @@ tl::expected<bool, base::HistoryError> MeasuredHistory::advance() {
   }
   time_ = time;
   ++rows_;
-  // A sample that is missing may be held from a row before these.
-  if (time <= 0.0 && before.rows > 0 && source_.data.format.missing != base::MissingSample::kHold) {
-    start_ = last_;
-  }
-  last_ = before;
+  if (time <= 0.0 && before_.rows > 0) start_ = last_;
+  last_ = before_;
   return true;
 }
 

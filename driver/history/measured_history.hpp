@@ -87,8 +87,9 @@ class MeasuredHistory {
     double time = 0.0;
     long rows = 0;
   };
-  Before last_;   ///< before the row read last
-  Before start_;  ///< before the two rows from which a step begins; the first row at first
+  Before before_;  ///< before the row that is being read
+  Before last_;    ///< before the row read last
+  Before start_;   ///< before the two rows from which a step begins; the first row at first
 };
 
 }  // namespace slipbench::driver::history

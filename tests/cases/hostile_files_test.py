@@ -422,6 +422,7 @@ class HostileFiles(InFolder):
         self.in_bounds({"d.csv": rows, "c.yaml": head + steps}, "run", "c.yaml", "--no-output", code=2, said="files of numbers are read again and again")
         # What lies before a step is read once.
         self.in_bounds({"c.yaml": head + f"  - {{step: a, increments: 1, repeat: 8000, {motion}, force: {{f2: 100}}}}\n"}, "run", "c.yaml", "--no-output")
+        self.in_bounds({"c.yaml": head + f"  - {{step: a, increments: 1, repeat: 8000, {motion.replace('d.csv', '{file: d.csv, missing: hold}')}, force: {{f2: 100}}}}\n"}, "run", "c.yaml", "--no-output")
         change = "change_friction: {}{{friction1: {{coefficient: {{columns: [mu, slip_rate], csv: {{file: d.csv, missing: skip}}}}}}}}"
         steps = "".join(STEP.format(name=f"s{i}").replace("motion", (change.format("&c ") if i == 0 else "change_friction: *c") + ", motion") for i in range(4000))
         self.in_bounds({"d.csv": "mu,slip_rate\n0.2,0\n" + ",\n" * 80000, "c.yaml": head + steps}, "run", "c.yaml", "--no-output", code=2, said="files of numbers are read again and again")

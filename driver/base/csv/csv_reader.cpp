@@ -467,9 +467,13 @@ tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values,
   }
 }
 
-CsvReader::Place CsvReader::place() const {
+void CsvReader::note_place(Place* place) const {
   const File& file = *file_;
-  return {file.lines.offset(), file.lines.next_line, file.row_line, file.rows};
+  place->offset = file.lines.offset();
+  place->next_line = file.lines.next_line;
+  place->row_line = file.row_line;
+  place->rows = file.rows;
+  if (file.format.missing == MissingSample::kHold) place->held = file.held;
 }
 
 tl::expected<void, HistoryError> CsvReader::go_back(const Place& place) {
@@ -478,6 +482,7 @@ tl::expected<void, HistoryError> CsvReader::go_back(const Place& place) {
   file.blank_line = 0;
   file.blank_lines = 0;
   file.rows = place.rows;
+  if (!place.held.empty()) file.held = place.held;
   return file.lines.go_back(place.offset, place.next_line);
 }
 

@@ -69,15 +69,16 @@ class CsvReader {
   struct Place {
     off_t offset = 0;
     long next_line = 0;
-    long row_line = 0;  ///< of the row before it
-    long rows = 0;      ///< before it
+    long row_line = 0;              ///< of the row before it
+    long rows = 0;                  ///< before it
+    std::vector<double> held = {};  ///< for the samples that are missing behind it
   };
 
-  /// Returns the place behind the last row read.
-  Place place() const;
+  /// Sets `place` to the one behind the last row read; allocates nothing if it was a place of this
+  /// reader before.
+  void note_place(Place* place) const;
 
-  /// Goes back to a place of a file whose missing samples are not held. Error: the file cannot be
-  /// read again.
+  /// Goes back to a place of the file. Error: the file cannot be read again.
   tl::expected<void, HistoryError> go_back(const Place& place);
 
   /// Goes back to before the first row. Error: the file cannot be read again.

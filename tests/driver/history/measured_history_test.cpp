@@ -61,9 +61,7 @@ TEST_CASE("a history is taken again from the two rows before its start") {
         {{file, "rig.csv", {.missing = missing}}, "t", {}, {{0, "x", {}}}, false});
     REQUIRE(history);
     for (int pass = 0; pass < 3; ++pass) {
-      // A sample may be held from any row before.
-      const bool whole = pass == 0 || missing == base::MissingSample::kHold;
-      for (double time = whole ? -3.0 : -1.0; time < 2.0; time += 1.0) {
+      for (double time = pass == 0 ? -3.0 : -1.0; time < 2.0; time += 1.0) {
         REQUIRE(history->advance().value());
         CHECK(history->time() == time);
         CHECK(history->values()[0] == time + 4.0);
@@ -73,6 +71,27 @@ TEST_CASE("a history is taken again from the two rows before its start") {
           "the time 't' does not increase: 1 after 1 in line 7"));
       REQUIRE(history->rewind());
     }
+  }
+}
+
+TEST_CASE("what is missing behind the place where a history is taken again is held as before") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("rig.csv", "t,x,y\n-3,1,7\n-2,2,\n-1,,\n0,,5\n1,,\n");
+  auto history = MeasuredHistory::open({{file, "rig.csv", {.missing = base::MissingSample::kHold}},
+                                        "t",
+                                        {},
+                                        {{0, "x", {}}, {1, "y", {}}},
+                                        false});
+  REQUIRE(history);
+  for (int pass = 0; pass < 3; ++pass) {
+    for (double time = pass == 0 ? -3.0 : -1.0; time < 2.0; time += 1.0) {
+      REQUIRE(history->advance().value());
+      CHECK(history->time() == time);
+      CHECK(history->values()[0] == (time < -2.0 ? 1.0 : 2.0));
+      CHECK(history->values()[1] == (time < 0.0 ? 7.0 : 5.0));
+    }
+    CHECK_FALSE(history->advance().value());
+    REQUIRE(history->rewind());
   }
 }
 
