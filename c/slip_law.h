@@ -140,7 +140,9 @@ SLIP_API void slip_law_destroy(slip_law* law);
 SLIP_API size_t slip_law_definitions(const slip_law* law);
 
 /** Returns how many doubles a state has. Of each definition: elastic slip s_1..s_6 [L], scaled
- * force y_1..y_6 [F], accumulated slip [L], regime. */
+ * force y_1..y_6 [F], accumulated slip [L], regime. The accumulated slip is rounded to a double after
+ * every increment, which the program itself corrects for: they differ by some 1e-9 of it after
+ * 10^8 increments. */
 SLIP_API size_t slip_law_state_size(const slip_law* law);
 
 /** Writes the state of a connector that has not moved yet. */

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "driver/case/case.hpp"
+#include "law/base/compensated_sum.hpp"
 #include "law/base/component.hpp"
 #include "law/definition/increment.hpp"
 
@@ -23,12 +24,12 @@ struct ComponentForces {
 /// The forces of all components, and the energies that belong to no friction definition.
 struct ConnectorForces {
   std::array<ComponentForces, law::kComponents> component{};
-  double elastic_energy = 0.0;       ///< of all springs [F L]
-  double viscous_dissipation = 0.0;  ///< of all dampers, since the start [F L]
-  double kinetic_energy = 0.0;       ///< of the mass of a dynamic case [F L]
-  double external_work = 0.0;        ///< of belt and loads of a dynamic case, since the start [F L]
-  double velocity = 0.0;             ///< of its mass, of a driver's relative to it: dCP/dt [L/T]
-  double driver_velocity = 0.0;      ///< of its driver [L/T]
+  double elastic_energy = 0.0;              ///< of all springs [F L]
+  law::CompensatedSum viscous_dissipation;  ///< of all dampers, since the start [F L]
+  double kinetic_energy = 0.0;              ///< of the mass of a dynamic case [F L]
+  double external_work = 0.0;    ///< of belt and loads of a dynamic case, since the start [F L]
+  double velocity = 0.0;         ///< of its mass, of a driver's relative to it: dCP/dt [L/T]
+  double driver_velocity = 0.0;  ///< of its driver [L/T]
   /// Kinetic forces of the free components that a contact force names (Case::kinetic.pressing):
   /// CEF + CVF + CRF - CCF, which in equilibrium is minus the friction of the component.
   law::ConnectorForce pressing;

@@ -381,13 +381,10 @@ void Equilibrium::accept(double from, double to, Row& row) {
   const bool first = from == 0.0;
   for (std::size_t d = 0; d < updates_.size(); ++d) {
     DefinitionRow& here = row.definitions[d];
-    here.dissipation += updates_[d].dissipation;
-    here.work += updates_[d].work;
-    here.lost += updates_[d].lost;
-    here.jumps += updates_[d].jumps;
-    old_[d] = updates_[d].state;
     const law::FrictionUpdate before = here.update;
     here.update = updates_[d];
+    add_increment(updates_[d], here);
+    old_[d] = updates_[d].state;
     here.update.onset = from + updates_[d].onset * (to - from);
     here.update.jump_onset = from + updates_[d].jump_onset * (to - from);
     if (first) continue;

@@ -618,10 +618,7 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
         exact_         ? exact_->update(i, definitions_[i], increment, old, here.changes)
         : has_options_ ? integrate_with_options(i, increment, old)
                        : integrate(i, increment, old));
-    here.dissipation += here.update.dissipation;
-    here.work += here.update.work;
-    here.lost += here.update.lost;
-    here.jumps += here.update.jumps;
+    add_increment(here.update, here);
     if (auto judged = judge(row_, i); !judged) return judged;
     if (!case_->belt) continue;
     if (auto fault = move_behind(*case_, i, row_)) {

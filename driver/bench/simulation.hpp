@@ -19,6 +19,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/history/profile_cursor.hpp"
 #include "driver/history/step_grid.hpp"
+#include "law/base/compensated_sum.hpp"
 #include "law/connection/belt.hpp"
 #include "law/definition/formulation.hpp"
 #include "law/exact/regime_change.hpp"
@@ -41,8 +42,9 @@ using FollowPositions = std::function<void(double part, Quantities& quantities)>
 /// State and work of one friction definition over an increment, and since the start.
 struct DefinitionRow {
   law::FrictionUpdate update;
-  double dissipation = 0.0;  ///< since the start [F L]
-  double work = 0.0;         ///< of the friction force over the motion, since the start [F L]
+  double slip_left_out = 0.0;  ///< of the accumulated slip, by rounding (law::CompensatedSum) [L]
+  law::CompensatedSum dissipation;  ///< since the start [F L]
+  law::CompensatedSum work;  ///< of the friction force over the motion, since the start [F L]
   double lost = 0.0;       ///< of the spring's energy, FrictionUpdate::lost, since the start [F L]
   std::int64_t jumps = 0;  ///< so far
   /// Length that the increment should exceed; 0 where that does not matter.
@@ -59,6 +61,14 @@ struct DefinitionRow {
   bool backward = false;  ///< whether the coefficient of backward slip was in force
   law::SegmentBehind behind;  ///< of a ring, where the segments' lengths are known
 };
+
+/// Adds an increment to the sums of its definition over the run.
+inline void add_increment(const law::FrictionUpdate& increment, DefinitionRow& row) {
+  row.dissipation += increment.dissipation;
+  row.work += increment.work;
+  row.lost += increment.lost;
+  row.jumps += increment.jumps;
+}
 
 /// Tells whether the sums of energies are finite.
 inline bool all_finite(const DefinitionRow& row) {
@@ -87,8 +97,8 @@ struct Row {
 struct SimulationState {
   struct Definition {
     law::FrictionState friction;
-    double dissipation = 0.0;
-    double work = 0.0;
+    law::CompensatedSum dissipation;
+    law::CompensatedSum work;
     double lost = 0.0;
     std::int64_t jumps = 0;
     double mu = 0.0;                 ///< coefficient of the last increment

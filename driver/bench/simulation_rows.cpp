@@ -26,10 +26,11 @@ void copy_begin(const Row& before, Row& row) {
 
 /// Brings the sums of a definition over the run to the end of its increment.
 void add_up(const DefinitionRow& before, DefinitionRow& here) {
-  here.dissipation = before.dissipation + here.update.dissipation;
-  here.work = before.work + here.update.work;
-  here.lost = before.lost + here.update.lost;
-  here.jumps = before.jumps + here.update.jumps;
+  here.dissipation = before.dissipation;
+  here.work = before.work;
+  here.lost = before.lost;
+  here.jumps = before.jumps;
+  add_increment(here.update, here);
 }
 
 /// Returns how many rows have finite sums of energies; a sum that is not finite stays so.

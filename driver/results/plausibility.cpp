@@ -111,7 +111,7 @@ void Plausibility::add(std::span<const bench::Row> rows, std::size_t index) {
     normal_force = std::max(normal_force, update.normal_force);
     mu = std::max(mu, update.mu);
     energy = std::max(std::max(energy, std::abs(here.work)),
-                      std::max(here.dissipation, update.stored_energy));
+                      std::max<double>(here.dissipation, update.stored_energy));
     falls = falls || here.thresholds.smooth > 0.0;
     slips = slips || update.state.regime == law::Regime::kSlip;
     if (update.state.regime != law::Regime::kOpen) continue;

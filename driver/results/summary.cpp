@@ -94,7 +94,7 @@ void Summary::add(std::span<const bench::Row> rows, std::span<const Event> event
   DefinitionSummary& sum = definitions_[index];
   StickSlipCounter& stick_slip = stick_slip_[index];
   auto event = events.begin();
-  double slip_time = sum.slip_time;
+  law::CompensatedSum slip_time = sum.slip_time;
   std::int64_t roots = sum.multiple_roots;
   double lowest = sum.lowest_force;
   double highest = sum.highest_force;

@@ -32,10 +32,10 @@ struct FloorCount {
 /// Summary of one friction definition over a run.
 struct DefinitionSummary {
   std::string name;
-  double slip_time = 0.0;      ///< between the events that begin and end slip [T]
-  double open_time = 0.0;      ///< likewise without contact [T]
-  std::int64_t events = 0;     ///< how often stick (or no contact) turned into slip
-  std::int64_t reversals = 0;  ///< slips against the sense of the slip before
+  law::CompensatedSum slip_time;  ///< between the events that begin and end slip [T]
+  law::CompensatedSum open_time;  ///< likewise without contact [T]
+  std::int64_t events = 0;        ///< how often stick (or no contact) turned into slip
+  std::int64_t reversals = 0;     ///< slips against the sense of the slip before
   std::optional<Event> first_slip;
   std::vector<double> first_place;  ///< the free positions there, as in the result columns
   /// The largest |s_el| of an increment that ended in stick [L].

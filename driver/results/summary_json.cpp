@@ -42,8 +42,8 @@ base::json::Value Summary::to_json() const {
     const DefinitionSummary& sum = definitions_[d];
     base::json::Value one;
     one["name"] = sum.name;
-    one["slip_time"] = sum.slip_time;
-    one["open_time"] = sum.open_time;
+    one["slip_time"] = double{sum.slip_time};
+    one["open_time"] = double{sum.open_time};
     one["stick_slip_events"] = sum.events;
     one["reversals"] = sum.reversals;
     if (sum.first_slip) {

@@ -44,13 +44,15 @@ struct alignas(64) Lanes {
   LaneVectors force{};            ///< y [F]
   LaneVectors elastic_slip{};     ///< s_el [L]; with a constant kappa none of its own
   LaneColumn accumulated_slip{};  ///< [L]
+  LaneColumn slip_left_out{};     ///< of it, by rounding (add_compensated) [L]
   LaneColumn regime{};            ///< the number of the Regime
   // Summary of all increments.
-  LaneColumn limit{};        ///< F_lim of the last one [F]
-  LaneColumn peak{};         ///< largest |y| [F]; of two entries its square [F^2]
-  LaneColumn dissipation{};  ///< sum of F_lim dL [F L]
-  LaneColumn slipping{};     ///< how many ended in slip
-  LaneColumn open{};         ///< how many ended open
+  LaneColumn limit{};            ///< F_lim of the last one [F]
+  LaneColumn peak{};             ///< largest |y| [F]; of two entries its square [F^2]
+  LaneColumn dissipation{};      ///< sum of F_lim dL [F L]
+  LaneColumn energy_left_out{};  ///< of it, by rounding [F L]
+  LaneColumn slipping{};         ///< how many ended in slip
+  LaneColumn open{};             ///< how many ended open
 };
 
 /// Machine instructions that the common path is compiled for. All give the same bits: each does

@@ -185,6 +185,7 @@ void Pack::enter(std::size_t lane, const FrictionState& begin) noexcept {
   lanes_.force_limit[lane] = definition.force_limit;
   lanes_.mu[lane] = is_constant_ ? coefficient(definition, {}) : 0.0;
   lanes_.accumulated_slip[lane] = begin.accumulated_slip;
+  lanes_.slip_left_out[lane] = begin.accumulated_slip.left_out();
   lanes_.regime[lane] = static_cast<double>(begin.regime);
   if (const auto* number = std::get_if<double>(&definition.internal_contact_force)) {
     lanes_.segment_low[lane] = *number;
@@ -385,7 +386,7 @@ FrictionState Pack::state(std::size_t lane) const noexcept {
     state.force[k] = lanes_.force[k][lane];
     state.elastic_slip[k] = lanes_.elastic_slip[k][lane];
   }
-  state.accumulated_slip = lanes_.accumulated_slip[lane];
+  state.accumulated_slip = {lanes_.accumulated_slip[lane], lanes_.slip_left_out[lane]};
   state.regime = static_cast<Regime>(lanes_.regime[lane]);
   return state;
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "law/base/compensated_sum.hpp"
 #include "law/batch/lanes.hpp"
 #include "law/definition/friction_definition.hpp"
 #include "law/definition/friction_state.hpp"
@@ -34,11 +35,11 @@ std::optional<BatchForm> batch_form(const FrictionDefinition& definition) noexce
 
 /// Summary of a lane over all its increments.
 struct LaneSummary {
-  double peak_force = 0.0;    ///< largest P = equivalent_force() [F]
-  double dissipation = 0.0;   ///< sum of that of the increments [F L]
-  double limit = 0.0;         ///< F_lim of the last increment [F]
-  std::int64_t slipping = 0;  ///< increments that ended in slip
-  std::int64_t open = 0;      ///< increments that ended without a limit
+  double peak_force = 0.0;     ///< largest P = equivalent_force() [F]
+  CompensatedSum dissipation;  ///< sum of that of the increments [F L]
+  double limit = 0.0;          ///< F_lim of the last increment [F]
+  std::int64_t slipping = 0;   ///< increments that ended in slip
+  std::int64_t open = 0;       ///< increments that ended without a limit
   /// Increments with several roots, with a jump of the force, or without a solution
   /// (FrictionUpdate::multiple_roots, jumps, converged); the common path has none.
   std::int64_t doubtful = 0;

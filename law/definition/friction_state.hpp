@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "law/base/compensated_sum.hpp"
 #include "law/base/notation.hpp"
 
 namespace slipbench::law {
@@ -15,11 +16,13 @@ enum class Regime : std::uint8_t {
   kSlip = 2    ///< P = F_lim and the equivalent slip grew
 };
 
-/// The only memory of a friction definition. Entries follow SlipSpace; the unused ones stay 0.
+/// The only memory of a friction definition. Entries follow SlipSpace; the unused ones stay 0. What
+/// rounding leaves out of the accumulated slip is part of it but where an increment is divided
+/// (law/exact/extrapolated_update.hpp).
 struct FrictionState {
   std::array<double, kComponents> elastic_slip{};  ///< s_el [L]
   std::array<double, kComponents> force{};         ///< y [F]
-  double accumulated_slip = 0.0;                   ///< [L], never decreases
+  CompensatedSum accumulated_slip;                 ///< [L], never decreases
   Regime regime = Regime::kStick;
 
   friend bool operator==(const FrictionState&, const FrictionState&) = default;

@@ -114,7 +114,8 @@ FrictionUpdate continuous_update(const FrictionDefinition& definition, const Pat
     for (std::size_t i = 0; i < dimension; ++i) result.direction[i] = result.state.force[i] / p;
   }
   result.state.regime = walk.regime();
-  result.state.accumulated_slip = old.accumulated_slip + walk.slip();
+  result.state.accumulated_slip = old.accumulated_slip;
+  result.state.accumulated_slip += walk.slip();
   result.slip_increment = walk.slip();
   result.dissipation = walk.dissipation();
   result.work = walk.work();

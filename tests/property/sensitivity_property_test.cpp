@@ -25,7 +25,7 @@ struct Count {
 /// The state's numbers that have derivatives: the forces, then the accumulated slip.
 double number(const FrictionUpdate& update, int k, int dimension) {
   return k < dimension ? update.state.force[static_cast<std::size_t>(k)]
-                       : update.state.accumulated_slip;
+                       : double{update.state.accumulated_slip};
 }
 
 /// Compares all increments of one history for one number of the definition.

@@ -57,15 +57,21 @@ inline law::FrictionDefinition any_definition(Dice& dice) {
   return definition;
 }
 
+/// One increment of any definition.
+inline law::FrictionUpdate any_update(const law::FrictionDefinition& definition,
+                                      const law::ConnectorIncrement& increment,
+                                      const law::FrictionState& old) {
+  return definition.formulation ? law::update_penalty(definition, increment, old)
+                                : law::update(definition, increment, old);
+}
+
 /// Returns the updates of a history from a state at rest, with a formulation or without.
 inline std::vector<law::FrictionUpdate> run_any(const law::FrictionDefinition& definition,
                                                 const std::vector<HistoryRow>& rows) {
   std::vector<law::FrictionUpdate> updates;
   law::FrictionState state;
   for (const HistoryRow& row : rows) {
-    const law::ConnectorIncrement increment = row.increment();
-    updates.push_back(definition.formulation ? law::update_penalty(definition, increment, state)
-                                             : law::update(definition, increment, state));
+    updates.push_back(any_update(definition, row.increment(), state));
     state = updates.back().state;
   }
   return updates;

@@ -112,7 +112,8 @@ TEST_CASE("a change of friction under a potential does not see the number of inc
     problem.integration = {method, 1e-12};
     const DefinitionRow row = rows_of(problem).back().definitions[0];
     const law::FrictionState& state = row.update.state;
-    return std::array{state.force[0], state.force[1], state.accumulated_slip, row.dissipation};
+    return std::array{state.force[0], state.force[1], double{state.accumulated_slip},
+                      double{row.dissipation}};
   };
   const auto one = end(cases::IntegrationMethod::kExact, 1);
   for (const int increments : {3, 50}) {

@@ -28,9 +28,9 @@ std::vector<std::string> numbers(const cases::Case& problem,
   const auto add = [&](double x) { all.push_back(base::format_number(x)); };
   for (const results::Column& column : columns) add(results::column_value(column, problem, row));
   for (const DefinitionRow& here : row.definitions) {
-    for (const double x :
-         {here.dissipation, here.work, here.lost, here.update.onset, here.update.stored_energy,
-          here.update.phi, here.thresholds.unique, here.thresholds.smooth}) {
+    for (const double x : {double{here.dissipation}, double{here.work}, here.lost,
+                           here.update.onset, here.update.stored_energy, here.update.phi,
+                           here.thresholds.unique, here.thresholds.smooth}) {
       add(x);
     }
     all.push_back(std::to_string(here.jumps) + (here.update.multiple_roots ? "several" : "one"));

@@ -522,7 +522,7 @@ TEST_CASE(
       lost += run.last.lost;
     }
     CHECK(run.work == Approx(run.dissipation + lost + run.last.stored_energy).epsilon(1e-12));
-    return std::array{run.state.accumulated_slip, run.dissipation, lost};
+    return std::array{double{run.state.accumulated_slip}, run.dissipation, lost};
   };
   const auto slider_on = [](const std::vector<std::vector<double>>& wear) {
     FrictionDefinition definition = slider(0.25, 0.0, fixed_stiffness(1000.0));
