@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "c/slip_law.h"
+#include "law/base/compensated_sum.hpp"
 
 namespace {
 
@@ -255,6 +256,8 @@ struct Instance {
     double time = 0.0;             ///< of the host [s], where the last step ended
     double stop = 0.0;             ///< of the host [s]; the largest number where it set none
     std::vector<double> friction;  ///< of the law
+    /// By rounding, of dissipation and work of each definition.
+    std::array<std::array<double, SLIP_DEFINITIONS>, 2> left_out{};
     std::vector<double> values;    ///< of all variables
   };
   State now;
@@ -277,8 +280,11 @@ struct Instance {
     const int place = model.of[role][index];
     if (place >= 0) now.values[static_cast<std::size_t>(place)] = x;
   }
-  void add(Role role, std::size_t index, double x) {
-    tell(role, index, value(role, index, 0.0) + x);
+  /// Adds to a sum whose place has `left_out`.
+  void add(Role role, std::size_t index, double x, double& left_out) {
+    double sum = value(role, index, 0.0);
+    slipbench::law::add_compensated(x, &sum, &left_out);
+    tell(role, index, sum);
   }
 };
 
@@ -337,9 +343,9 @@ Status advance(Instance& one, double duration, const std::array<double, SLIP_COM
     one.tell(kMu, d, result.mu);
     one.tell(kRegime, d, result.regime);
     one.tell(kAccumulatedSlip, d, state[d * SLIP_STATE_NUMBERS + 12]);
-    one.add(kDissipation, d, result.dissipation);
+    one.add(kDissipation, d, result.dissipation, one.now.left_out[0][d]);
     one.tell(kStoredEnergy, d, result.stored_energy);
-    one.add(kWork, d, result.work);
+    one.add(kWork, d, result.work, one.now.left_out[1][d]);
   }
   return kOk;
 }
@@ -392,6 +398,7 @@ Status initialize(Instance& one) {
   for (const Role role : {kDissipation, kWork}) {
     for (std::size_t d = 0; d < SLIP_DEFINITIONS; ++d) one.tell(role, d, 0.0);
   }
+  one.now.left_out = {};
   // An increment without motion: the limits, coefficients and regimes there.
   return advance(one, 0.0, one.now.position, prescribed(one));
 }
@@ -558,6 +565,9 @@ void for_each_number(State& state, Visit visit) {
   visit(state.time);
   visit(state.stop);
   for (auto& x : state.friction) visit(x);
+  for (auto& of_sum : state.left_out) {
+    for (auto& x : of_sum) visit(x);
+  }
   for (auto& x : state.values) visit(x);
 }
 

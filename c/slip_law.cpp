@@ -29,7 +29,7 @@ namespace {
 using namespace slipbench::law;
 
 static_assert(SLIP_COMPONENTS == kComponents && SLIP_FIELDS == kMaxFields);
-static_assert(SLIP_STATE_NUMBERS == 2 * kComponents + 2);
+static_assert(SLIP_STATE_NUMBERS == 2 * kComponents + 3);
 static_assert(SLIP_OPEN == static_cast<int>(Regime::kOpen) &&
               SLIP_STICK == static_cast<int>(Regime::kStick) &&
               SLIP_SLIP == static_cast<int>(Regime::kSlip));
@@ -261,13 +261,14 @@ slip_law* made(slip_error* error, Make make) {
 /// Places in the numbers of a state.
 constexpr std::size_t kForceAt = kComponents;
 constexpr std::size_t kAccumulatedAt = 2 * std::size_t{kComponents};
-constexpr std::size_t kRegimeAt = kAccumulatedAt + 1;
+constexpr std::size_t kLeftOutAt = kAccumulatedAt + 1;
+constexpr std::size_t kRegimeAt = kLeftOutAt + 1;
 
 FrictionState state_of(const double* numbers) {
   FrictionState state;
   std::copy_n(numbers, kComponents, state.elastic_slip.begin());
   std::copy_n(numbers + kForceAt, kComponents, state.force.begin());
-  state.accumulated_slip = numbers[kAccumulatedAt];
+  state.accumulated_slip = {numbers[kAccumulatedAt], numbers[kLeftOutAt]};
   // A number that is no regime is one of a state that nobody made: it is at rest.
   const double regime = numbers[kRegimeAt];
   for (const Regime one : {Regime::kOpen, Regime::kSlip}) {
@@ -280,6 +281,7 @@ void put_state(const FrictionState& state, double* numbers) {
   std::copy_n(state.elastic_slip.begin(), kComponents, numbers);
   std::copy_n(state.force.begin(), kComponents, numbers + kForceAt);
   numbers[kAccumulatedAt] = state.accumulated_slip;
+  numbers[kLeftOutAt] = state.accumulated_slip.left_out();
   numbers[kRegimeAt] = static_cast<double>(state.regime);
 }
 

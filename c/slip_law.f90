@@ -7,7 +7,7 @@ module slip_law
   implicit none
 
   integer(c_int), parameter :: slip_law_interface = 1
-  integer, parameter :: slip_components = 6, slip_fields = 16, slip_definitions = 16, slip_state_numbers = 14
+  integer, parameter :: slip_components = 6, slip_fields = 16, slip_definitions = 16, slip_state_numbers = 15
   integer(c_int), parameter :: slip_ok = 0, slip_bad_definition = 1, slip_bad_argument = 2, slip_not_finite = 3, &
       slip_no_solution = 4, slip_no_memory = 5
   integer(c_int), parameter :: slip_open = 0, slip_stick = 1, slip_slip = 2

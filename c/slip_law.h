@@ -38,7 +38,7 @@ enum {
   SLIP_COMPONENTS = 6,
   SLIP_FIELDS = 16,       /**< the most field variables of a table */
   SLIP_DEFINITIONS = 16,  /**< the most definitions of a connector */
-  SLIP_STATE_NUMBERS = 14 /**< of one definition: see slip_law_state_size() */
+  SLIP_STATE_NUMBERS = 15 /**< of one definition: see slip_law_state_size() */
 };
 
 /** Results of a call. */
@@ -140,9 +140,7 @@ SLIP_API void slip_law_destroy(slip_law* law);
 SLIP_API size_t slip_law_definitions(const slip_law* law);
 
 /** Returns how many doubles a state has. Of each definition: elastic slip s_1..s_6 [L], scaled
- * force y_1..y_6 [F], accumulated slip [L], regime. The accumulated slip is rounded to a double after
- * every increment, which the program itself corrects for: they differ by some 1e-9 of it after
- * 10^8 increments. */
+ * force y_1..y_6 [F], accumulated slip [L], what rounding has left out of it [L], regime. */
 SLIP_API size_t slip_law_state_size(const slip_law* law);
 
 /** Writes the state of a connector that has not moved yet. */

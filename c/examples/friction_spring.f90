@@ -2,7 +2,7 @@
 ! Skeleton of a friction spring for OpenRadioss, in the shape of its user property RUSER29: an AXIAL connector whose clamping
 ! force is constant, as of a slip joint or a friction damper. What a real one still needs: its reader in the starter (LECG29),
 ! which leaves the numbers of friction_numbers() in the property, and the mass and stiffness for the time step (RINI29).
-! uvar: 14 numbers of the friction, the position, and a 1 of an element that has begun.
+! uvar: 15 numbers of the friction, the position, and a 1 of an element that has begun.
 module friction_spring
   use, intrinsic :: iso_c_binding
   use slip_law

@@ -3,7 +3,7 @@
 ! three displacements; component 1 is the slot, a penalty stiffness holds 2 and 3, and what it holds with is the normal force.
 !
 ! props: (1) penalty stiffness of the held components [F/L], (2) mass of a node, (3) static and (4) kinetic coefficient,
-! (5) their decay [T/L], (6) elastic slip [L]. svars: 14 numbers of the friction, then the position of the slot: u - du is
+! (5) their decay [T/L], (6) elastic slip [L]. svars: 15 numbers of the friction, then the position of the slot: u - du is
 ! rounded and would put the begin of an increment beside the end of the one before.
 module slot_connector
   use, intrinsic :: iso_c_binding

@@ -3,19 +3,19 @@
 
 namespace slipbench::law {
 
-/// Adds a part to a sum, of which `left_out` is what rounding has left out so far (Kahan 1965): the
-/// error does not grow with the number of parts. Without it, equal parts are rounded to one side
-/// for as long as the sum keeps its exponent: by 2e-9 of the sum after 10^8 of them.
-/// \param grows whether the part is not negative: then the sum never becomes smaller
-[[gnu::always_inline]] inline void add_compensated(double part, bool grows, double* sum,
+/// Adds a part to a sum, of which `left_out` is what rounding has left out so far (Kahan 1965, with
+/// the exact error of an addition after Knuth 1969, section 4.2.2): the error does not grow with
+/// the number of parts. Without it, equal parts are rounded to one side for as long as the sum
+/// keeps its exponent: by 2e-9 of the sum after 10^8 of them. As `left_out` is at most half of the
+/// sum's last digit, parts that are not negative never bring the sum down, and 0 does not move it.
+[[gnu::always_inline]] inline void add_compensated(double part, double* sum,
                                                    double* left_out) noexcept {
   const double added = part + *left_out;
   const double before = *sum;
-  const double moved = before + added;
-  // Behind a part that was larger than the sum, what is left out may be too large by a rounding.
-  const double after = grows && moved < before ? before : moved;
+  const double after = before + added;
+  const double taken = after - before;
   *sum = after;
-  *left_out = added - (after - before);
+  *left_out = (before - (after - taken)) + (added - taken);
 }
 
 /// A sum of parts that add_compensated adds.
@@ -25,7 +25,7 @@ class CompensatedSum {
       : value_(value), left_out_(left_out) {}
 
   CompensatedSum& operator+=(double part) noexcept {
-    add_compensated(part, part >= 0.0, &value_, &left_out_);
+    add_compensated(part, &value_, &left_out_);
     return *this;
   }
   constexpr operator double() const noexcept { return value_; }

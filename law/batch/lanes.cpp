@@ -65,14 +65,14 @@ template <int D, bool kFixed, bool kWears>
       const double y1 = finish(trial1, &l.force[1][i], &l.elastic_slip[1][i]);
       size = y0 * y0 + y1 * y1;
     }
-    add_compensated(slip, true, &l.accumulated_slip[i], &l.slip_left_out[i]);
+    add_compensated(slip, &l.accumulated_slip[i], &l.slip_left_out[i]);
     l.regime[i] = grips ? (outside ? kSlip : kStick) : kOpen;
     if constexpr (kWears) passed |= l.accumulated_slip[i] >= l.segment_end[i] ? 1 : 0;
 
     // Summary.
     l.limit[i] = limit;
     l.peak[i] = size > l.peak[i] ? size : l.peak[i];
-    add_compensated(limit * slip, true, &l.dissipation[i], &l.energy_left_out[i]);
+    add_compensated(limit * slip, &l.dissipation[i], &l.energy_left_out[i]);
     l.slipping[i] += grips ? (outside ? 1.0 : 0.0) : 0.0;
     l.open[i] += grips ? 0.0 : 1.0;
   }

@@ -83,7 +83,7 @@ class Law:
 
     @property
     def state_size(self) -> int:
-        """How many numbers a state has: for each definition 6 of elastic slip [L], 6 of force [F], the accumulated slip [L], the regime."""
+        """How many numbers a state has: for each definition 6 of elastic slip [L], 6 of force [F], the accumulated slip [L], what rounding left out of it [L], the regime."""
         return self._native.state_size
 
     def initial_state(self, count: int = 0) -> Array:

@@ -38,6 +38,7 @@ std::vector<double> line_of(const law::FrictionDefinition& definition, const His
   line.insert(line.end(), update.state.elastic_slip.begin(), update.state.elastic_slip.end());
   line.insert(line.end(), update.state.force.begin(), update.state.force.end());
   line.push_back(update.state.accumulated_slip);
+  line.push_back(update.state.accumulated_slip.left_out());
   const auto regime = static_cast<double>(update.state.regime);
   for (const double x :
        {regime, update.limit, update.normal_force, update.mu, update.slip_increment,

@@ -62,7 +62,7 @@ Bits followed_alone(const FrictionDefinition& definition,
                     std::span<const ConnectorIncrement> increments, FrictionState state) {
   Followed followed(definition.slip.dimension);
   std::vector<double> last(followed.extremes.size());
-  double dissipation = 0.0;
+  CompensatedSum dissipation;
   bool is_first = true;
   for (const ConnectorIncrement& increment : increments) {
     const Regime before = state.regime;

@@ -174,7 +174,7 @@ class Runs(unittest.TestCase):
                               *(run[name][row] for name in ("temperature", "field1") if name in run), end=positions[row])
             state = step.state
             for name, values in found.items():
-                values[row] = state[12::14] if name == "slip" else getattr(step, name)
+                values[row] = state[12::15] if name == "slip" else getattr(step, name)
         for name, values in found.items():
             numpy.testing.assert_array_equal(values, wanted[name], name)
         return numpy.count_nonzero(numpy.any(found["regime"] == slipbench.SLIP, axis=1))
@@ -415,7 +415,7 @@ class Laws(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, f"{name}: wanted"):
                 law.update(one, rows, **{name: value})
         with self.assertRaisesRegex(ValueError, "state: wanted"):
-            law.update(numpy.zeros(14 * 4), rows)
+            law.update(numpy.zeros(15 * 4), rows)
 
     def test_fields_are_of_all_or_of_each(self):
         law = slipbench.Law({"connector": {"type": "SLOT"}, "friction": [{"predefined": {}, "coefficient": {
@@ -444,7 +444,7 @@ class Laws(unittest.TestCase):
         numpy.testing.assert_array_equal(again.numbers, law.numbers)
         motion, forces = [0, 0.1, 0.2, 0.3, 0, 0], [100, 0, 0, 0, 5, 5]
         for one in (law, again):
-            self.assertEqual(one.state_size, 28)
+            self.assertEqual(one.state_size, 30)
         numpy.testing.assert_array_equal(again.update(again.initial_state(), motion, forces).state, law.update(law.initial_state(), motion, forces).state)
         with self.assertRaisesRegex(ValueError, "no packed friction"):
             slipbench.Law.from_numbers(law.numbers[:-1])
