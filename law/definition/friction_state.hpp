@@ -17,15 +17,19 @@ enum class Regime : std::uint8_t {
 };
 
 /// The only memory of a friction definition. Entries follow SlipSpace; the unused ones stay 0. What
-/// rounding leaves out of the accumulated slip is part of it but where an increment is divided
-/// (law/exact/extrapolated_update.hpp).
+/// rounding leaves out of the accumulated slip is part of it; integration by extrapolation
+/// (law/exact/extrapolated_update.hpp) leaves it 0.
 struct FrictionState {
   std::array<double, kComponents> elastic_slip{};  ///< s_el [L]
   std::array<double, kComponents> force{};         ///< y [F]
   CompensatedSum accumulated_slip;                 ///< [L], never decreases
   Regime regime = Regime::kStick;
 
-  friend bool operator==(const FrictionState&, const FrictionState&) = default;
+  friend bool operator==(const FrictionState& a, const FrictionState& b) {
+    return a.elastic_slip == b.elastic_slip && a.force == b.force && a.regime == b.regime &&
+           double{a.accumulated_slip} == double{b.accumulated_slip} &&
+           a.accumulated_slip.left_out() == b.accumulated_slip.left_out();
+  }
 };
 
 }  // namespace slipbench::law

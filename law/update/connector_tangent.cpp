@@ -36,7 +36,8 @@ ConnectorTangent connector_tangent(const FrictionDefinition& definition,
   add_gradient(definition.contact_force, increment.force, increment.end, &contact_to_force,
                &contact_to_position);
   if (const auto* f = std::get_if<TableFunction>(&definition.internal_contact_force)) {
-    // At the accumulated slip the increment's internal contact force was taken at.
+    // At the accumulated slip that the increment's internal contact force was taken at, but for the
+    // rounding that the sum has made up for since.
     const bool at_end =
         !definition.formulation && definition.accumulated_slip == AccumulatedSlipTiming::kEnd;
     const double slip = update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);

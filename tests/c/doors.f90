@@ -86,8 +86,10 @@ contains
   end subroutine
 
   subroutine run_connector()
-    integer, parameter :: operation = 3
-    real(c_double) :: props(6), other(6), rhs(1, 6), amass(1, 6, 6), stable(1), svars(1, 15), energy(1, 12), u(1, 6), old(1, 6)
+    use slip_law, only: slip_state_numbers
+    ! The numbers of the friction, and the position.
+    integer, parameter :: operation = 3, n = slip_state_numbers + 1
+    real(c_double) :: props(6), other(6), rhs(1, 6), amass(1, 6, 6), stable(1), svars(1, n), energy(1, 12), u(1, 6), old(1, 6)
     real(c_double) :: nothing(1, 6), row(4), coords(1, 2, 3), predef(1, 2, 1, 2), one(1)
     integer :: lflags(3), none(1)
     external :: vuel
@@ -97,13 +99,13 @@ contains
     ! Elements of another set come first: each set keeps its own friction.
     other = props
     other(3:4) = 2 * props(3:4)
-    call vuel(1, rhs, amass, stable, svars, 15, energy, 2, 6, other, 6, none, 1, coords, 3, u, u, nothing, nothing, 1, none, &
+    call vuel(1, rhs, amass, stable, svars, n, energy, 2, 6, other, 6, none, 1, coords, 3, u, u, nothing, nothing, 1, none, &
         [0.0_c_double, 0.0_c_double], 1.0_c_double, row(1), row(1), 1, 1, lflags, one, predef, 1, 0, one)
     amass = 0
     do
       old = u
       u(1, 4:6) = [row(2), -row(3:4) / props(1)]
-      call vuel(1, rhs, amass, stable, svars, 15, energy, 2, 6, props, 6, none, 1, coords, 3, u, u - old, nothing, nothing, 1, &
+      call vuel(1, rhs, amass, stable, svars, n, energy, 2, 6, props, 6, none, 1, coords, 3, u, u - old, nothing, nothing, 1, &
           none, [row(1), row(1)], 1.0_c_double, row(1), row(1), 1, 1, lflags, one, predef, 1, 0, one)
       if (lflags(operation) == 2) print '(3es26.17e3)', rhs(1, 4), energy(1, 1), stable(1)
       lflags(operation) = 2
@@ -114,25 +116,29 @@ contains
   subroutine run_coefficient()
     real(c_double), allocatable :: props(:)
     real(c_double) :: row(2), mu(1), slopes(1, 3), nothing(1, 1), one(1)
+    character(80), parameter :: names(3) = [character(80) :: "interaction", "secondary", "main"]
     external :: fric_coef
     props = counted_numbers()
     nothing = 0; one = 0
     do while (next(row))
-      call fric_coef(mu, slopes, 1, size(props), 1, 0, [0], one, "interaction", "secondary", "main", props, row(1), row(2), one, &
-          nothing)
+      call fric_coef(mu, slopes, 1, size(props), 1, 0, [0], one, names(1), names(2), names(3), props, row(1), &
+          row(2), one, nothing)
       print '(3es26.17e3)', mu, slopes(1, 1:2)
     end do
   end subroutine
 
   subroutine run_spring()
     use friction_spring, only: take_numbers
-    real(c_double) :: row(2), uvar(16, 1), fx(1), e(1), stiff(1), off(1), zero(1), rest(1)
+    use slip_law, only: slip_state_numbers
+    ! The numbers of the friction, the position, and the 1 of an element that has begun.
+    integer, parameter :: n = slip_state_numbers + 2
+    real(c_double) :: row(2), uvar(n, 1), fx(1), e(1), stiff(1), off(1), zero(1), rest(1)
     external :: ruser29
     call take_numbers(counted_numbers())
     uvar = 0; e = 0; off = 1; zero = 0; rest = 0
     do while (next(row))
       stiff = 0
-      call ruser29(1, 6, 1, uvar, 16, fx, rest, rest, rest, rest, rest, e, off, stiff, rest, rest, rest, rest, rest, row(1), zero, &
+      call ruser29(1, 6, 1, uvar, n, fx, rest, rest, rest, rest, rest, e, off, stiff, rest, rest, rest, rest, rest, row(1), zero, &
           row(2), zero, zero, zero, zero, zero, rest)
       print '(3es26.17e3)', fx, e, stiff
     end do

@@ -24,9 +24,10 @@ std::vector<std::uint64_t> bits(const FrictionUpdate& u) {
   for (const auto& v : {u.state.elastic_slip, u.state.force, u.direction}) {
     for (const double x : v) all.push_back(std::bit_cast<std::uint64_t>(x));
   }
-  for (const double x : {double{u.state.accumulated_slip}, u.phi, u.normal_force, u.contact_force,
-                         u.mu, u.limit, u.slip_increment, u.slip_rate, u.dissipation,
-                         u.stored_energy, u.work, u.onset, u.snap_back, u.lost, u.jump_onset}) {
+  for (const double x :
+       {double{u.state.accumulated_slip}, u.state.accumulated_slip.left_out(), u.phi,
+        u.normal_force, u.contact_force, u.mu, u.limit, u.slip_increment, u.slip_rate,
+        u.dissipation, u.stored_energy, u.work, u.onset, u.snap_back, u.lost, u.jump_onset}) {
     all.push_back(std::bit_cast<std::uint64_t>(x));
   }
   for (const int n :

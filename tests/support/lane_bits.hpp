@@ -31,8 +31,8 @@ inline Bits bits(const law::FrictionState& state, const law::LaneSummary& summar
     all.push_back(std::bit_cast<std::uint64_t>(state.force[k]));
     all.push_back(std::bit_cast<std::uint64_t>(state.elastic_slip[k]));
   }
-  for (const double x : {double{state.accumulated_slip}, summary.peak_force,
-                         double{summary.dissipation}, summary.limit}) {
+  for (const double x : {double{state.accumulated_slip}, state.accumulated_slip.left_out(),
+                         summary.peak_force, double{summary.dissipation}, summary.limit}) {
     all.push_back(std::bit_cast<std::uint64_t>(x));
   }
   all.push_back(static_cast<std::uint64_t>(state.regime));

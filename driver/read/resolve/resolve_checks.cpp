@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -367,8 +366,9 @@ bool judge_criterion(yaml::Binder& binder, const CheckText& text, const Abscissa
 /// A formula without '=' and blanks.
 std::string formula_of(std::string_view text) {
   std::string formula;
-  std::ranges::copy_if(text.substr(text.starts_with('=') ? 1 : 0), std::back_inserter(formula),
-                       [](char c) { return c != ' '; });
+  for (const char c : text.substr(text.starts_with('=') ? 1 : 0)) {
+    if (c != ' ') formula += c;
+  }
   return formula;
 }
 

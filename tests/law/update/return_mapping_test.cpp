@@ -1101,9 +1101,9 @@ std::vector<double> numbers(const FrictionUpdate& u) {
   all.insert(all.end(), u.direction.begin(), u.direction.end());
   all.insert(all.end(), u.motion_direction.begin(), u.motion_direction.end());
   for (const double x :
-       {double{u.state.accumulated_slip}, u.tangent.transverse, u.tangent.radial, u.tangent.rate,
-        u.tangent.contact, u.phi, u.normal_force, u.contact_force, u.mu, u.limit, u.slip_increment,
-        u.slip_rate, u.dissipation, u.stored_energy, u.work}) {
+       {double{u.state.accumulated_slip}, u.state.accumulated_slip.left_out(), u.tangent.transverse,
+        u.tangent.radial, u.tangent.rate, u.tangent.contact, u.phi, u.normal_force, u.contact_force,
+        u.mu, u.limit, u.slip_increment, u.slip_rate, u.dissipation, u.stored_energy, u.work}) {
     all.push_back(x);
   }
   return all;
