@@ -258,7 +258,7 @@ struct Instance {
     std::vector<double> friction;  ///< of the law
     /// By rounding, of dissipation and work of each definition.
     std::array<std::array<double, SLIP_DEFINITIONS>, 2> left_out{};
-    std::vector<double> values;    ///< of all variables
+    std::vector<double> values;  ///< of all variables
   };
   State now;
   State before;  ///< the step that is being made: kept, so that a step allocates nothing

@@ -71,7 +71,8 @@ inline void add_increment(const law::FrictionUpdate& increment, DefinitionRow& r
 
 /// Tells whether the sums of energies are finite.
 inline bool all_finite(const DefinitionRow& row) {
-  return std::isfinite(double{row.dissipation}) && std::isfinite(double{row.work}) && std::isfinite(row.lost);
+  return std::isfinite(double{row.dissipation}) && std::isfinite(double{row.work}) &&
+         std::isfinite(row.lost);
 }
 
 /// The result of one increment. Row 0 is the initial state: forces, temperature and fields as the

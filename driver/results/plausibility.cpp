@@ -87,7 +87,8 @@ void Plausibility::add(std::span<const bench::Row> rows, std::size_t index) {
   const law::SlipSpace& slip = case_->definitions[index].law.slip;
   DefinitionExtremes& all = definitions_[index];
   for (std::size_t i = 0; i < static_cast<std::size_t>(slip.dimension); ++i) {
-    const auto motion = static_cast<std::size_t>(cases::kFirstMotion + slip.component[i]);
+    const auto motion =
+        static_cast<std::size_t>(cases::kFirstMotion) + static_cast<std::size_t>(slip.component[i]);
     const double scale = slip.scale[i];
     const bool begins = rows.front().index == 0;
     double lowest = begins ? scale * rows.front().quantities[motion] : all.lowest_motion[i];
