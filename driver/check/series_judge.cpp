@@ -146,7 +146,7 @@ std::int64_t rows_in_common(const Series& result, const Series& reference) {
 
 /// Returns why a curve cannot be compared by measures of it, in a sentence, or nothing.
 std::string unfit(const cases::Check& check, const Series& result, const Series& reference) {
-  if (!check.abscissa && !std::ranges::is_sorted(reference.abscissa)) {
+  if (!check.abscissa && !std::is_sorted(reference.abscissa.begin(), reference.abscissa.end())) {
     return "the times of the reference fall";
   }
   if (result.size() > 1 && reference.size() > 1 && rows_in_common(result, reference) < 2) {

@@ -231,7 +231,8 @@ std::string printable_lines(std::string_view text) {
   while (!text.empty()) {
     // Plain characters and colours stay; the rest is printed as a part of a line is.
     const auto plain = [](char c) { return (c >= ' ' && c < 0x7F) || c == '\n' || c == '\t'; };
-    auto end = static_cast<std::size_t>(std::ranges::find_if_not(text, plain) - text.begin());
+    auto end =
+        static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), plain) - text.begin());
     if (text.substr(end).starts_with("\033[")) {
       const std::size_t last = text.find_first_not_of("0123456789;", end + 2);
       if (last != text.npos && text[last] == 'm') end = last + 1;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/base/text/format_number.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -45,12 +47,9 @@ std::string format_number(double value) {
 }
 
 double rounded_number(double value, int digits) {
-  std::array<char, kMostCharacters> text{};
-  char* const end = std::to_chars(text.data(), text.data() + kMostCharacters, value,
-                                  std::chars_format::general, digits)
-                        .ptr;
+  const std::string text = fmt::format("{:.{}g}", value, digits);
   double rounded = value;
-  std::from_chars(text.data(), end, rounded);
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
   return rounded;
 }
 
