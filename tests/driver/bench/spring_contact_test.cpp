@@ -115,6 +115,14 @@ TEST_CASE("the books of a run under load close: work of the load, springs, dampe
   CHECK(slipping > 10000);
 }
 
+TEST_CASE("heat of a damper beyond the range of a double is infinite, and stays so") {
+  const std::vector<Row> rows = rows_of(
+      sound(spring_case("  - {step: a, increments: 9, motion: {CP1: {to: 120}, CP3: {to: -0.2}}}\n",
+                        "damping: [{component: 1, coefficient: 1.0e+305}]\n"
+                        "elasticity: [{component: 3, stiffness: 500}]\n")));
+  CHECK(std::isinf(double{rows.back().forces.viscous_dissipation}));
+}
+
 const std::string kFrictionIn3 =
     "  - {name: brake, component: 3, internal_contact_force: 100, coefficient: 0.3, stick: "
     "{stiffness: 1.0e+4}}\n";
