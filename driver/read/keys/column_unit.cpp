@@ -116,8 +116,8 @@ void note_missing(yaml::Binder& binder, const base::DataSource& source,
 bool may_read(yaml::Binder& binder, const base::DataSource& source, const yaml::Node& at,
               const yaml::Path& path) {
   // Rows in which samples may be missing are read field by field.
-  const bool by_rows = source.format.missing == base::MissingSample::kError;
-  return binder.may_read(at, path, source.file, by_rows ? 1 : 4);
+  const bool by_fields = source.format.missing != base::MissingSample::kError;
+  return binder.may_read(at, path, source.file, by_fields ? 4 : 1);
 }
 
 }  // namespace slipbench::driver::read

@@ -55,7 +55,7 @@ std::vector<std::string_view> independents_of(const TableUse& use) {
 
 /// The rows of a table, from the case or from its CSV file, and how messages point at them.
 struct Rows {
-  /// Of the case's own `rows:`, of which there may be a million, or null.
+  /// The case's own `rows:`, not copied, as there may be a million; null for those of a file.
   const std::vector<std::vector<double>>* stated = nullptr;
   std::vector<std::vector<double>> of_file;
   std::optional<yaml::Node> list;  ///< `rows:` of the case
