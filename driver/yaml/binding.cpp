@@ -292,7 +292,8 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
   }
   const auto value = base::parse_number(node.text());
   if (!value && base::carries_unit(node.text())) return number_with_unit(node, path, info);
-  if (node.quoted()) {
+  // Of a decimal comma, which is why some write quotes, the error says more.
+  if (node.quoted() && (value || node.text().find(',') == std::string_view::npos)) {
     error(node, path, "wanted a number, found the text " + base::in_quotes(node.text()),
           "a number stands without quotes");
     return std::nullopt;

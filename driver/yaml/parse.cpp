@@ -426,7 +426,16 @@ class TreeBuilder : public YAML::EventHandler {
     const std::size_t next = text_.find_first_not_of(' ', end);
     if (next != std::string_view::npos && text_[next] == ':') return;
     error(key.offset, end - key.offset, path_to(frames_.size() - 1).text(),
-          fmt::format("missing ':' after '{}'", text_of(key)));
+          fmt::format("missing ':' after '{}'", text_of(key)), split_number(key.offset));
+  }
+
+  /// Explains "0,2" between braces: there its comma ends the 0. Empty if it is not that.
+  [[nodiscard]] std::string split_number(std::size_t offset) const {
+    const auto is_digit = [&](std::size_t at) { return text_[at] >= '0' && text_[at] <= '9'; };
+    if (offset < 2 || text_[offset - 1] != ',' || !is_digit(offset - 2) || !is_digit(offset)) {
+      return {};
+    }
+    return "',' ends the number before it: the decimal mark is '.'";
   }
 
   // Where the finished children of frame i end.

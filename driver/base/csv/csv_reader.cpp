@@ -38,6 +38,7 @@ struct CsvReader::File {
   long rows = 0;
 
   CsvFormat format;
+  bool states_format = true;  ///< Whether what names the file can state another format.
   MissingSamples missing;
   std::vector<double> held;  ///< The numbers of the last row, where missing ones are held.
   std::vector<std::string> header;
@@ -61,14 +62,17 @@ struct CsvReader::File {
   tl::expected<std::optional<std::string_view>, HistoryError> next_text();
 
   /// "; write {file: rig.csv, skip: 4}": the format in which the file's start can be read, if
-  /// another one than this is.
+  /// another one than this is. All advice is empty where a format cannot be stated.
   std::string remedy(std::span<const std::string> wanted) const;
-  std::string skipping() const;
+  std::string skipping(std::string_view holding = "") const;
   bool rows_end_alike() const;
   std::string written_as(const CsvFormat& other) const {
-    return "; write " + in_words(lines.name, other);
+    return states_format ? "; write " + in_words(lines.name, other) : "";
   }
 
+  static tl::expected<CsvReader, HistoryError> open(const DataSource& source,
+                                                    std::span<const std::string> columns,
+                                                    bool states_format);
   tl::expected<void, HistoryError> read_header(std::span<const std::string> columns);
   tl::expected<void, HistoryError> read_units(std::span<const std::string> columns);
   tl::expected<void, HistoryError> choose(std::span<const std::string> columns);
@@ -99,10 +103,11 @@ bool CsvReader::File::rows_end_alike() const {
   return true;
 }
 
-std::string CsvReader::File::skipping() const {
+std::string CsvReader::File::skipping(std::string_view holding) const {
+  if (!states_format) return {};
   CsvFormat other = format;
   other.missing = MissingSample::kSkip;
-  return written_as(other) + " to leave such rows out";
+  return written_as(other) + " to leave such rows out" + std::string(holding);
 }
 
 tl::expected<std::optional<std::string_view>, HistoryError> CsvReader::File::next_text() {
@@ -360,7 +365,7 @@ tl::unexpected<HistoryError> CsvReader::File::diagnose_field(
   std::string message =
       fmt::format("column '{}' {}", header[column], not_a_number(field.text, decimal));
   if (is_missing(field.text)) {
-    return error(number, field.offset, message + skipping() + ", or 'hold' for the value before");
+    return error(number, field.offset, message + skipping(", or 'hold' for the value before"));
   }
   std::string better = rows == 0 ? remedy(wanted) : "";
   if (better.empty() && separator != ',' && number_in(field.text, decimal == '.' ? ',' : '.')) {
@@ -381,14 +386,21 @@ CsvReader::~CsvReader() = default;
 tl::expected<CsvReader, HistoryError> CsvReader::open(const std::filesystem::path& file,
                                                       std::span<const std::string> columns,
                                                       std::string shown_name) {
-  return open(DataSource{file, std::move(shown_name), {}}, columns);
+  return File::open(DataSource{file, std::move(shown_name), {}}, columns, false);
 }
 
 tl::expected<CsvReader, HistoryError> CsvReader::open(const DataSource& source,
                                                       std::span<const std::string> columns) {
+  return File::open(source, columns, true);
+}
+
+tl::expected<CsvReader, HistoryError> CsvReader::File::open(const DataSource& source,
+                                                            std::span<const std::string> columns,
+                                                            bool states_format) {
   auto opened = std::make_unique<File>();
   opened->lines.name = source.shown_name.empty() ? source.file.string() : source.shown_name;
   opened->format = source.format;
+  opened->states_format = states_format;
   if (auto found = opened->lines.open(source.file); !found) {
     return tl::unexpected(std::move(found.error()));
   }

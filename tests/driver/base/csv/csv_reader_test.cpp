@@ -26,7 +26,8 @@ using Rows = std::vector<std::vector<double>>;
 /// All rows, or the error that ends the reading.
 tl::expected<Rows, HistoryError> read(const std::string& bytes, const Names& columns) {
   const TemporaryFolder folder;
-  auto reader = CsvReader::open(folder.write("rig.csv", bytes), columns, "rig.csv");
+  const DataSource source{folder.write("rig.csv", bytes), "rig.csv", {}};
+  auto reader = CsvReader::open(source, columns);
   if (!reader) return tl::unexpected(reader.error());
   Rows rows;
   std::vector<double> row(columns.size());
@@ -64,6 +65,25 @@ TEST_CASE(
         kTwoRows);
   CHECK(read(" t , \"x\" \n 0 , 1.5 \n\"1\",\"-2.5\"\n", {"t", "x"}).value() == kTwoRows);
   CHECK(read("t,x\n0,1.5\n1,-2.5\n\n  \n\r\n", {"t", "x"}).value() == kTwoRows);
+}
+
+TEST_CASE("no other format is advised for a file whose format nobody can state: a result") {
+  const TemporaryFolder folder;
+  const auto fault = [&](const std::string& bytes) {
+    auto reader = CsvReader::open(folder.write("run.csv", bytes), Names{"t", "x"}, "run.csv");
+    if (!reader) return reader.error().message;
+    std::array<double, 2> row{};
+    for (;;) {
+      const auto more = reader->next(row);
+      if (!more) return more.error().message;
+      REQUIRE(*more);
+    }
+  };
+  CHECK(fault("t,x\n0,1\n1,nan\n") == "column 'x' holds 'nan'; a finite number is wanted");
+  CHECK(fault("t,x\n0,1\n1,\n") == "column 'x' is empty; a number is wanted");
+  CHECK(fault("t,x\n0,1\n\n1,2\n") == "a blank line before the last row");
+  CHECK(fault("t;x\n0;1,5\n") ==
+        "column 'x' holds '1,5' with a decimal comma; the decimal mark is '.'");
 }
 
 TEST_CASE("the header shows whether commas, semicolons or tabs separate") {
