@@ -166,7 +166,7 @@ tl::expected<void, base::HistoryError> openable_curve(const std::filesystem::pat
 
 bool is_golden_curve(const std::filesystem::path& file) {
   const std::vector<std::string> lines = base::comment_lines(file);
-  return !lines.empty() && lines.front() == kGoldenMark;
+  return std::find(lines.begin(), lines.end(), kGoldenMark) != lines.end();
 }
 
 }  // namespace slipbench::driver::cases

@@ -13,12 +13,16 @@ std::vector<std::string> comment_lines(const std::filesystem::path& file) {
   for (const int byte : {0xEF, 0xBB, 0xBF}) {
     if (stream.peek() == byte) stream.get();
   }
+  const auto is_blank = [](int byte) {
+    return byte == ' ' || byte == '\t' || byte == '\r' || byte == '\n';
+  };
   std::vector<std::string> lines;
-  for (std::string line; stream.peek() == '#' && std::getline(stream, line);) {
+  for (std::string line;;) {
+    while (is_blank(stream.peek())) stream.get();
+    if (stream.peek() != '#' || !std::getline(stream, line)) return lines;
     if (line.ends_with('\r')) line.pop_back();
     lines.push_back(std::move(line));
   }
-  return lines;
 }
 
 std::vector<std::pair<std::string, std::string>> column_units(std::string_view line) {

@@ -77,6 +77,18 @@ TEST_CASE("a blessed case passes, a changed one fails, and passes once it is ble
   CHECK(contains(blessed, "# columns: time [s], CSF1 [N], CU1 [mm]\n"));
   CHECK(contains(blessed, "# blessed: as measured in May\ntime,CSF1,CU1\n0,0,0\n"));
   CHECK(slipbench(folder, "check belt.yaml").code == 0);
+  // Lines above the first, as a licence, leave it a golden curve: half of it does not pass.
+  const std::string half = blessed.substr(0, blessed.find('\n', blessed.size() / 2) + 1);
+  for (const char* above : {"", "\n", "  \n# SPDX-License-Identifier: Apache-2.0\n"}) {
+    CAPTURE(above);
+    folder.write("golden/belt.csv", above + blessed);
+    CHECK(slipbench(folder, "check belt.yaml").code == 0);
+    folder.write("golden/belt.csv", above + half);
+    const Ended cut = slipbench(folder, "check belt.yaml");
+    CHECK(cut.code == 1);
+    CHECK(contains(cut.output, "were blessed"));
+  }
+  folder.write("golden/belt.csv", blessed);
   // No row number is compared with another: other increments, the same energy of a loop.
   CHECK(slipbench(folder, "check belt.yaml --set mu=0.2").code == 0);
 
