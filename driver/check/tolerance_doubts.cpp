@@ -21,9 +21,9 @@ constexpr double kOfRounding = 3.0;  ///< resolutions that rounding may explain
 constexpr double kFarBetter = 1e-2;  ///< of the resolution
 
 /// The next number of one digit that is not smaller, but for rounding: 0.00123 -> 0.002.
-std::string one_digit_up(double value) {
+double one_digit_up(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
-  return fmt::format("{:.0e}", std::ceil(value / power * (1.0 - 1e-12)) * power);
+  return std::ceil(value / power * (1.0 - 1e-12)) * power;
 }
 
 std::string told(double value, const std::string& unit) {
@@ -53,17 +53,19 @@ std::vector<std::string> tolerance_doubts(const cases::Tolerance& tolerance,
   if (!std::isfinite(bound) || !(use.scale < kLargest) || !(use.worst < kLargest)) return doubts;
   const double digits = use.resolution && std::isfinite(*use.resolution) ? *use.resolution : 0.0;
   const double enough = std::max(kHeadroom * use.worst, kTightEnough * use.scale);
-  if (use.scale > 0.0 && bound > kTightEnough * use.scale && use.worst * kLoose < bound &&
+  const bool is_relative = of_scale >= absolute;
+  const double unit = is_relative ? use.scale : 1.0;
+  const double advised = use.scale > 0.0 ? one_digit_up(enough / unit) : 0.0;
+  // Who has taken the advice is not told again.
+  if (use.scale > 0.0 && bound > advised * unit * (1.0 + 1e-9) && use.worst * kLoose < bound &&
       enough >= digits) {
     const std::string seen = use.worst > 0.0
                                  ? fmt::format("{:.0e} times the largest deviation, {}",
                                                bound / use.worst, told(use.worst, use.unit))
                                  : "not needed at all, there is no deviation";
-    const std::string advice = of_scale >= absolute
-                                   ? "relative: " + one_digit_up(enough / use.scale)
-                                   : "absolute: " + base::with_unit(one_digit_up(enough), use.unit);
-    doubts.push_back(
-        fmt::format("the tolerance of {} is {}; {} would do", told(bound, use.unit), seen, advice));
+    doubts.push_back(fmt::format("the tolerance of {} is {}; '{}: {:.0e}' would do",
+                                 told(bound, use.unit), seen, is_relative ? "relative" : "absolute",
+                                 advised));
   } else if (const double largest = use.largest.value_or(0.0);
              0.0 < largest && largest <= absolute) {
     doubts.push_back(fmt::format("the tolerance of {} is as large as the reference itself, {}",

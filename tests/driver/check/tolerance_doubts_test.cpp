@@ -19,22 +19,22 @@ TEST_CASE(
   CHECK(tolerance_doubts(absolute(0.5),
                          {.scale = 40.0, .worst = 1.23e-4, .resolution = {}, .unit = "N"}) ==
         Doubts{"the tolerance of 0.5 N is 4e+03 times the largest deviation, 0.000123 N; "
-               "absolute: 2e-03 N would do"});
+               "'absolute: 2e-03' would do"});
   CHECK(tolerance_doubts(relative(0.01),
                          {.scale = 40.0, .worst = 1.2e-4, .resolution = {}, .unit = "N"}) ==
         Doubts{"the tolerance of 0.4 N is 3e+03 times the largest deviation, 0.00012 N; "
-               "relative: 3e-05 would do"});
+               "'relative: 3e-05' would do"});
   CHECK(tolerance_doubts(relative(0.05),
                          {.scale = 1.0, .worst = 0.0, .resolution = {}, .unit = ""}) ==
         Doubts{"the tolerance of 0.05 is not needed at all, there is no deviation; "
-               "relative: 1e-06 would do"});
+               "'relative: 1e-06' would do"});
 }
 
 TEST_CASE("the tolerance that counts is the one that is doubted") {
   const cases::Tolerance both{.absolute = 0.1, .relative = 0.01, .why = ""};
   const ToleranceUse use{.scale = 1.0, .worst = 1e-6, .resolution = {}, .unit = "mm"};
   REQUIRE(tolerance_doubts(both, use).size() == 1);
-  CHECK_THAT(tolerance_doubts(both, use).front(), Catch::Contains("absolute: 1e-05 mm would do"));
+  CHECK_THAT(tolerance_doubts(both, use).front(), Catch::Contains("'absolute: 1e-05' would do"));
 }
 
 TEST_CASE("a suggested tolerance is not doubted itself, and holds") {
@@ -48,6 +48,11 @@ TEST_CASE("a suggested tolerance is not doubted itself, and holds") {
     CHECK(suggested >= worst);
     CHECK(tolerance_doubts(relative(suggested), use).empty());
   }
+  // A millionth of this scale has two digits.
+  const ToleranceUse rounded{.scale = 34.0, .worst = 7e-15, .resolution = {}, .unit = "N"};
+  CHECK_THAT(tolerance_doubts(absolute(1.0), rounded).front(),
+             Catch::Contains("'absolute: 4e-05'"));
+  CHECK(tolerance_doubts(absolute(4e-5), rounded).empty());
 }
 
 TEST_CASE("tolerances near the agreement, or tight for their scale, are not doubted") {
