@@ -87,6 +87,8 @@ std::vector<suite::Candidate> reordered(const std::vector<suite::Candidate>& cas
   return result;
 }
 
+constexpr const char* kNotReached = "not run: an earlier case did not pass";
+
 /// All outputs of how the cases went.
 struct Told {
   suite::SuiteTotals totals;
@@ -112,6 +114,27 @@ struct Told {
     if (summary) summary->add(candidate, outcome);
     slowest.add(candidate, outcome);
     if (memory) memory->note(candidate, outcome.well());
+  }
+
+  /// Puts a case that was not reached into the files of verdicts.
+  void add_unreached(std::size_t place, const suite::Candidate& candidate) {
+    suite::CaseOutcome outcome;
+    outcome.fault = {candidate.path, {}, kNotReached};
+    if (junit) junit->add(place, candidate, outcome);
+    if (json) json->add(place, candidate, outcome);
+  }
+
+  /// Tells a fault of the suite that is that of none of its cases.
+  void add_fault(const std::string& path, const std::string& message) {
+    const suite::Candidate all{path, path};
+    suite::CaseOutcome outcome;
+    outcome.code = base::kExitCheckFailed;
+    outcome.fault = {path, {}, message};
+    outcome.messages = message + "\n";
+    if (junit) junit->add(cases, all, outcome);
+    if (annotations) annotations->add(all, outcome);
+    if (summary) summary->add(all, outcome);
+    totals.code = base::worse(totals.code, outcome.code);
   }
 };
 
@@ -201,6 +224,10 @@ int check_command(const CheckOptions& options) {
 
   const std::size_t not_reached = cases.size() - told.cases;
   told.totals.not_run += not_reached;
+  for (std::size_t i = told.cases; i < cases.size(); ++i) told.add_unreached(places[i], cases[i]);
+  const bool nothing_judged = told.totals.checks == 0 && told.totals.no_checks > 0;
+  constexpr const char* kNothingJudged = "no case has a check; nothing was judged";
+  if (nothing_judged && options.strict) told.add_fault(options.paths.front(), kNothingJudged);
   terminal::print(
       suite::table_totals(told.totals, !checks, std::chrono::steady_clock::now() - start));
   terminal::print(told.slowest.text());
@@ -213,10 +240,9 @@ int check_command(const CheckOptions& options) {
   }
   if (told.memory) told.memory->write(found);
   int& code = told.totals.code;
-  if (told.totals.checks == 0 && told.totals.no_checks > 0) {
-    terminal::print_error(fmt::format("slipbench: {}: no case has a check; nothing was judged\n",
-                                      options.strict ? "error" : "warning"));
-    if (options.strict) code = base::worse(code, base::kExitCheckFailed);
+  if (nothing_judged) {
+    terminal::print_error(
+        fmt::format("slipbench: {}: {}\n", options.strict ? "error" : "warning", kNothingJudged));
   }
   if (!told.overwritten.empty())
     return base::worse(code, terminal::refuse(base::kExitEnvironment, told.overwritten));
@@ -227,8 +253,7 @@ int check_command(const CheckOptions& options) {
   bool complete = false;
   if (pages) {
     for (std::size_t i = told.cases; i < cases.size(); ++i) {
-      pages->put(
-          i, report::not_run_report(cases[i].label, "", "not run: an earlier case did not pass"));
+      pages->put(i, report::not_run_report(cases[i].label, "", kNotReached));
     }
     // That the page replaces nothing that was read was made sure of above.
     const auto size = report::write_report(options.report, *pages, "", {.force = options.force},

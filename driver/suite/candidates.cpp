@@ -32,6 +32,16 @@ bool is_searched(const fs::path& folder) {
   return folder.filename() != "bad" && !is_hidden(folder);
 }
 
+/// Tells whether a link leads to a folder below `top` that is not searched by its own name, either.
+bool is_passed_over(const fs::path& link, const fs::path& top) {
+  std::error_code error;
+  const fs::path root = fs::canonical(top, error);
+  const fs::path target = error ? fs::path() : fs::canonical(link, error);
+  if (error || !base::lies_in(target, root)) return false;
+  const fs::path below = target.lexically_relative(root);
+  return below != "." && !std::all_of(below.begin(), below.end(), is_searched);
+}
+
 /// Returns the cases below `top`, in no order; those with a fault have no label of their own yet.
 std::vector<Candidate> search(const fs::path& top, bool allow_outside) {
   std::vector<Candidate> found;
@@ -61,7 +71,14 @@ std::vector<Candidate> search(const fs::path& top, bool allow_outside) {
                              : "is a link out of the folder; name the file itself to have "
                                "it run"});
       } else if (is_folder) {
-        if (!is_link) folders.push_back(path);
+        if (!is_link) {
+          folders.push_back(path);
+        } else if (is_passed_over(path, top)) {
+          found.push_back({path.string(),
+                           {},
+                           "is a link to a folder that is not searched (hidden, in a hidden one, "
+                           "or 'bad'); name it to have its cases run"});
+        }
       } else if (!read::is_no_case(path)) {
         found.push_back({path.string()});
       }
@@ -96,7 +113,7 @@ bool is_searched_too(const std::string& link, std::span<const std::string> paths
   return !error && std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
     std::error_code missing;
     const fs::path folder = fs::canonical(path, missing);
-    return !missing && base::lies_in(target, folder);
+    return !missing && base::lies_in(target, folder) && !is_passed_over(link, path);
   });
 }
 

@@ -22,7 +22,7 @@ struct Candidate {
 /// those in hidden folders, fit and sweep files. A link to a case is a case. A link out of the
 /// folder, unless its target is named too, a folder that cannot be read, and one of several that
 /// has no case, are cases with a fault.
-/// A link to a folder inside is passed by: that is searched anyway.
+/// A link to a folder inside is passed by: that is searched anyway, or the link has a fault.
 ///
 /// \param allow_outside takes a link to a file out of the folder as a case, and passes by one to a
 ///   folder, which holds what the cases need

@@ -172,6 +172,7 @@ CaseOutcome run_and_judge(const read::ReadCase& read, const std::string& label,
   if (collector) {
     report::CaseReport report = collector->finish(base::printable(label), checks, *ended);
     report::add_remarks(report, read.diagnostics);
+    if (outcome.kind == CaseOutcome::Kind::kFailed) report.status = report::ReportStatus::kFailed;
     report.run.text = shown_text(read.sources.front());
     options.report(std::move(report));
   }

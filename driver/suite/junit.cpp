@@ -38,6 +38,8 @@ std::string file_of(const Candidate& candidate) {
 
 const char* word_for_code(int code) {
   switch (code) {
+    case base::kExitCheckFailed:
+      return "check failed";
     case base::kExitBadInput:
       return "bad input";
     case base::kExitNumerical:
@@ -89,7 +91,14 @@ void JunitReport::add(std::size_t place, const Candidate& candidate, const CaseO
     ++counts.tests;
     suite.cases[place] += test_case(candidate, name, line, seconds, content);
   };
-  if (outcome.kind == CaseOutcome::Kind::kNotRun) {
+  const auto skip = [&](const std::string& reason) {
+    ++counts.skipped;
+    add_one("case", 0, outcome.seconds,
+            fmt::format("      <skipped message=\"{}\"/>\n", xml_attribute(reason)));
+  };
+  if (outcome.kind == CaseOutcome::Kind::kNotRun && outcome.code == base::kExitOk) {
+    skip(outcome.fault.message);
+  } else if (outcome.kind == CaseOutcome::Kind::kNotRun) {
     ++counts.errors;
     // A fault may be that of a data file, whose lines are not the case's.
     const CaseFault& fault = outcome.fault;
@@ -98,8 +107,7 @@ void JunitReport::add(std::size_t place, const Candidate& candidate, const CaseO
                         word_for_code(outcome.code), xml_attribute(fault.message),
                         xml_text(outcome.messages)));
   } else if (outcome.kind == CaseOutcome::Kind::kNoChecks) {
-    ++counts.skipped;
-    add_one("case", 0, outcome.seconds, "      <skipped message=\"the case has no checks\"/>\n");
+    skip("the case has no checks");
   } else {
     counts.failures += outcome.failed;
     for (const CheckOutcome& check : outcome.verdicts) {

@@ -14,10 +14,10 @@ namespace slipbench::driver::suite {
 /// The verdicts of a suite as JUnit XML, the form that Jenkins and GitLab read: one `testsuite` for
 /// each folder, in the order of their first case in the suite; one `testcase` for each check, with
 /// the case's label as class name, its file from the current folder and the line of the check. A
-/// check that failed is a `failure`, a case that was not run an `error`, a case without checks is
-/// `skipped`; doubts about a check stand in its `system-out`. A case's time is divided equally
-/// among its checks. But for the times, the same verdicts give the same text: no date and no
-/// machine.
+/// check that failed is a `failure`, a case that was not run an `error`, one without checks or that
+/// was not reached is `skipped`; doubts about a check stand in its `system-out`. A case's time is
+/// divided equally among its checks. But for the times, the same verdicts give the same text: no
+/// date and no machine.
 class JunitReport {
  public:
   /// The outcome must hold the verdicts of all its checks.

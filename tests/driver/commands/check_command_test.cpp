@@ -142,26 +142,33 @@ TEST_CASE("what failed is remembered without being asked, and the JSON keeps its
     CHECK(check_command(options) == base::kExitCheckFailed);
     return file_text(options.json);
   };
-  const auto tells_of = [](const std::string& text, const std::string& label) {
-    return text.find("\"case\": \"" + label + "\"") != std::string::npos;
+  // One that was not reached is told, too.
+  const auto was_run = [](const std::string& text, const std::string& label) {
+    const std::size_t at = text.find("\"case\": \"" + label + "\"");
+    REQUIRE(at != std::string::npos);
+    const std::string line = text.substr(at, text.find('\n', at) - at);
+    const bool unreached = line.find("not run: an earlier case did not pass") != std::string::npos;
+    CHECK(unreached == (line.find("\"status\": \"not_run\"") != std::string::npos));
+    return !unreached;
   };
   const std::string first = run(false, false);
   CHECK(run(true, false) == first);
+  CHECK(file_text(folder.path() / "verdicts.xml").find("<skipped") == std::string::npos);
   // The first that is run is one that failed.
   const std::string begin = run(true, true);
-  CHECK(tells_of(begin, "b"));
-  CHECK_FALSE(tells_of(begin, "a"));
+  CHECK(was_run(begin, "b"));
+  CHECK_FALSE(was_run(begin, "a"));
   // A part of the suite says nothing about the rest of it: with b mended, d is still known.
   folder.write("suite/b.yaml", report::slider_text("0.2"));
   folder.write("suite/c.yaml", report::slider_text("0.3"));
   run(false, false, {"b", "c"});
   const std::string rest = run(true, true);
-  CHECK(tells_of(rest, "c"));
-  CHECK_FALSE(tells_of(rest, "b"));
+  CHECK(was_run(rest, "c"));
+  CHECK_FALSE(was_run(rest, "b"));
   folder.write("suite/c.yaml", report::slider_text("0.2"));
   const std::string last = run(true, true);
-  CHECK(tells_of(last, "d"));
-  CHECK_FALSE(tells_of(last, "a"));
+  CHECK(was_run(last, "d"));
+  CHECK_FALSE(was_run(last, "a"));
 }
 
 TEST_CASE("a case alone leaves no memory behind") {

@@ -85,6 +85,26 @@ TEST_CASE("check --strict fails a case for each of its warnings, its checks or n
   CHECK(contains(strict.output, "  FAIL  c   warning: " + kNothingPresses + "\n"));
   CHECK(contains(strict.output, "0 cases passed, 1 failed"));
   CHECK(contains(file_text(folder.path() / "c.xml"), "failures=\"1\""));
+  CHECK(slipbench(folder, "check c.yaml --strict --report c.html").code == 1);
+  const std::string page = file_text(folder.path() / "c.html");
+  CHECK(contains(page, "\"status\":\"failed\""));
+  CHECK(contains(page, "\"failed\":1"));
+}
+
+TEST_CASE("check --strict of cases without a check fails in every file of verdicts") {
+  const TemporaryFolder folder;
+  folder.write("c.yaml", block("f3: 20"));
+  CHECK(slipbench(folder, "check c.yaml --junit c.xml").code == 0);
+  CHECK(contains(file_text(folder.path() / "c.xml"), "errors=\"0\""));
+  const Ended strict =
+      shell(folder, "GITHUB_ACTIONS=true GITHUB_STEP_SUMMARY=summary.md '" + kProgram +
+                        "' check c.yaml --strict --junit c.xml --force");
+  CHECK(strict.code == 1);
+  constexpr const char* kNothing = "no case has a check; nothing was judged";
+  CHECK(contains(strict.output, "::error file=c.yaml,title=c.yaml::" + std::string(kNothing)));
+  CHECK(contains(file_text(folder.path() / "c.xml"), "errors=\"1\""));
+  CHECK(contains(file_text(folder.path() / "c.xml"), kNothing));
+  CHECK(contains(file_text(folder.path() / "summary.md"), "| not run | " + std::string(kNothing)));
 }
 
 }  // namespace

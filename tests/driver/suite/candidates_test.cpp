@@ -65,6 +65,26 @@ TEST_CASE("a link out of the folder has a fault; one within it is a case, or sea
   CHECK(all[2].fault.empty());
 }
 
+TEST_CASE("a link to a folder that is not searched has a fault, unless that folder is named") {
+  const TemporaryFolder folder;
+  for (const char* sub : {".shared", "bad", "ok"}) {
+    fs::create_directory(folder.path() / sub);
+    folder.write(std::string(sub) + "/one.yaml", "");
+  }
+  fs::create_directory(folder.path() / ".shared/deep");
+  fs::create_directory_symlink(".shared/deep", folder.path() / "deep");
+  fs::create_directory_symlink("bad", folder.path() / "worse");
+  fs::create_directory_symlink("ok", folder.path() / "same");
+  fs::create_directory_symlink(".", folder.path() / "self");
+  const std::string top = folder.path().string();
+  const std::vector<Candidate> found = find_candidates(std::vector{top});
+  CHECK(labels(found) == std::vector<std::string>{"deep", "ok/one", "worse"});
+  CHECK(found[0].fault.starts_with("is a link to a folder that is not searched"));
+  CHECK(found[2].fault == found[0].fault);
+  CHECK(labels(find_candidates(std::vector{top, top + "/bad"})) ==
+        std::vector<std::string>{top + "/deep", top + "/ok/one", top + "/bad/one"});
+}
+
 TEST_CASE("fit files of a folder are not cases, whatever else speaks of calibration is") {
   const TemporaryFolder folder;
   folder.write("case.yaml", "# calibrate:\ntitle: calibrate: me\nfriction: []\n");
