@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "driver/commands/emit_slurm.hpp"
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
@@ -17,6 +16,7 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/shell_word.hpp"
 #include "driver/base/units/parameters.hpp"
 #include "driver/calibrate/calibrate.hpp"
 #include "driver/calibrate/calibrated_case.hpp"
@@ -163,7 +163,7 @@ std::string way_home(const std::vector<fs::path>& files) {
   constexpr std::string_view kEnding = ".calibrated.yaml";
   for (const fs::path& file : files) {
     if (!file.string().ends_with(kEnding)) continue;
-    return "  into your model: slipbench export " + shell_word(shown(file)) +
+    return "  into your model: slipbench export " + base::shell_word(shown(file)) +
            " --to abaqus --part behaviour\n";
   }
   return {};

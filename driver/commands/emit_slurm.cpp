@@ -14,6 +14,7 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/shell_word.hpp"
 #include "driver/sweep/run_sweep.hpp"
 #include "driver/sweep/samples.hpp"
 #include "driver/terminal/print.hpp"
@@ -73,9 +74,9 @@ std::string program() {
 
 /// The words that choose the samples and what is read, for `sweep` and `merge` alike.
 std::string words_of(const SweepOptions& options) {
-  std::string words =
-      shell_word(absolute(options.file)) + " -o " + shell_word(absolute(options.folder));
-  for (const std::string& one : options.settings) words += " --set " + shell_word(one);
+  std::string words = base::shell_word(absolute(options.file)) + " -o " +
+                      base::shell_word(absolute(options.folder));
+  for (const std::string& one : options.settings) words += " --set " + base::shell_word(one);
   if (options.allow_outside) words += " --allow-outside";
   return words;
 }
@@ -88,17 +89,6 @@ std::string job_name(std::string name) {
 }
 
 }  // namespace
-
-std::string shell_word(std::string_view word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:%@";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) {
-    return std::string(word);
-  }
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 std::size_t array_tasks(std::size_t samples, double rate) {
   constexpr double kTask = 120.0;  // [s]
@@ -133,7 +123,7 @@ int emit_slurm(const OpenSweep& open, const SweepOptions& options) {
                   "#SBATCH --open-mode=append\n"
                   "exec {} sweep {}{} -j 1 --part \"$SLURM_ARRAY_TASK_ID/{}\"\n",
                   file_name, samples, rate, tasks == 1 ? "1 task" : fmt::format("{} tasks", tasks),
-                  seconds, job_name(name), tasks, shell_word(program()), words,
+                  seconds, job_name(name), tasks, base::shell_word(program()), words,
                   options.no_rows ? " --no-rows" : "", tasks));
   base::OutputFile* const files[] = {&*file};
   if (auto committed = base::commit(files); !committed) {
@@ -143,8 +133,8 @@ int emit_slurm(const OpenSweep& open, const SweepOptions& options) {
   terminal::print(base::printable(fmt::format(
                       "{}: {} samples, {:.3g} a second and core, tasks: {} of about {:.3g} s", name,
                       samples, rate, tasks, seconds)) +
-                  "\n  sbatch " + base::printable(shell_word(target)) + "\n  slipbench merge " +
-                  base::printable(words) + "\n");
+                  "\n  sbatch " + base::printable(base::shell_word(target)) +
+                  "\n  slipbench merge " + base::printable(words) + "\n");
   return base::kExitOk;
 }
 

@@ -10,9 +10,6 @@
 
 namespace slipbench::driver::commands {
 
-/// A word as a shell reads it back.
-std::string shell_word(std::string_view word);
-
 /// Tasks of a job array, so that each takes two minutes or more: starting one costs Slurm about a
 /// second. At most 1000, as many as a Slurm takes that was not told otherwise.
 /// \param rate samples a second and core

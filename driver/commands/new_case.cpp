@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "driver/base/files/exit_code.hpp"
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/shell_word.hpp"
 #include "driver/base/text/suggestions.hpp"
 #include "driver/commands/minimal_case.hpp"
 #include "driver/terminal/print.hpp"
@@ -45,8 +47,10 @@ int new_command(const NewOptions& options) {
   if (file == nullptr) return failed();
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if (std::fclose(file) != 0 || !written) return failed();
-  terminal::print(fmt::format("{0}: a case of {1}; run it with: slipbench run {0}\n",
-                              options.output, options.type));
+  terminal::print(
+      base::printable(fmt::format("{}: a case of {}; run it with: slipbench run {}", options.output,
+                                  options.type, base::shell_word(options.output))) +
+      "\n");
   return base::kExitOk;
 }
 

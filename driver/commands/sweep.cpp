@@ -14,6 +14,7 @@
 #include "driver/base/files/interruption.hpp"
 #include "driver/base/files/work_crew.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/shell_word.hpp"
 #include "driver/commands/arguments.hpp"
 #include "driver/commands/emit_slurm.hpp"
 #include "driver/commands/sweep_files.hpp"
@@ -31,15 +32,15 @@ namespace fs = std::filesystem;
 
 /// The command line by which an interrupted sweep is gone on with.
 std::string typed(const SweepOptions& options) {
-  std::string text = "slipbench sweep " + shell_word(options.file);
-  if (options.folder != ".") text += " -o " + shell_word(options.folder);
-  for (const std::string& one : options.settings) text += " --set " + shell_word(one);
+  std::string text = "slipbench sweep " + base::shell_word(options.file);
+  if (options.folder != ".") text += " -o " + base::shell_word(options.folder);
+  for (const std::string& one : options.settings) text += " --set " + base::shell_word(one);
   if (options.allow_outside) text += " --allow-outside";
   if (options.threads > 0) text += fmt::format(" -j {}", options.threads);
   if (!options.part.empty()) text += " --part " + options.part;
   if (options.no_rows) text += " --no-rows";
   if (options.format != "csv") text += " --format " + options.format;
-  if (!options.report.empty()) text += " --report " + shell_word(options.report);
+  if (!options.report.empty()) text += " --report " + base::shell_word(options.report);
   return base::printable(text);
 }
 

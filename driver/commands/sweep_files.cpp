@@ -31,6 +31,9 @@ tl::expected<OpenSweep, int> open_sweep(const std::string& file,
     return tl::unexpected(
         static_cast<int>(read.environment_failure ? base::kExitEnvironment : base::kExitBadInput));
   }
+  if (!read.diagnostics.empty()) {
+    terminal::print_error(base::render(read.diagnostics, read.sources));
+  }
   OpenSweep open{std::move(*read.value), std::move(read.data_files), {}};
   open.inputs.push_back(file);
   open.inputs.push_back(open.sweep.case_path);
@@ -47,6 +50,7 @@ base::json::Value origin_of(const sweep::Sweep& sweep) {
   document["version"] = results::program_version();
   document["sweep"] = sweep::file_name(sweep);
   document["title"] = sweep.title;
+  if (!sweep.settings.empty()) document["set"] = base::printable(sweep::settings_text(sweep));
   return document;
 }
 

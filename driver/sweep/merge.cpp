@@ -133,22 +133,18 @@ std::string Parts::read(const Piece& piece, std::size_t known, Chunk& chunk) {
   return {};
 }
 
-/// Rows do not say why a sample failed: all that was collected is nan.
+/// Rows do not say whether a sample failed, and why: all that was collected is nan, as it is where
+/// there is no number to collect. Such samples are run again.
 void Parts::give_reasons(Chunk& chunk, std::size_t from) {
   for (std::size_t i = from; i < chunk.count; ++i) {
     const SampleOutcome outcome = chunk.outcome(i);
-    const bool failed = std::all_of(outcome.numbers.begin(), outcome.numbers.end(),
-                                    [](double number) { return std::isnan(number); });
-    if (!failed) continue;
-    if (reason_given_) {
-      chunk.failures[i] = "failed";
-      continue;
-    }
+    const bool may_have_failed = std::all_of(outcome.numbers.begin(), outcome.numbers.end(),
+                                             [](double number) { return std::isnan(number); });
+    if (!may_have_failed) continue;
     Chunk again(*sweep_, outcome.id, 1);
     again.values.assign(outcome.values.begin(), outcome.values.end());
     run_chunk(*sweep_, again);
     chunk.failures[i] = again.failures[0];
-    reason_given_ = !chunk.failures[i].empty();
   }
 }
 

@@ -66,7 +66,6 @@ class Parts {
   std::vector<Rows> rows_;
   std::vector<Part> parts_;
   std::vector<Piece> pieces_;
-  bool reason_given_ = false;
 };
 
 /// The journals of a sweep, of its parts and of the ranks of a farm in a folder, and the files of

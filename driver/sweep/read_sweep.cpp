@@ -15,6 +15,7 @@
 #include "driver/base/text/suggestions.hpp"
 #include "driver/read/file_kind.hpp"
 #include "driver/read/keys/case_units.hpp"
+#include "driver/read/keys/column_unit.hpp"
 #include "driver/read/keys/data_source_text.hpp"
 #include "driver/read/resolve/resolve_expression.hpp"
 #include "driver/results/columns.hpp"
@@ -202,6 +203,11 @@ class SweepReader {
     }
     auto reader = base::CsvReader::open(*source, names);
     if (!reader) return refuse(reader.error());
+    for (const std::string& name : names) {
+      if (!read::is_in_units_of_case(binder_, *reader, name, "a sample", *csv.node, csv.path)) {
+        return {};
+      }
+    }
     std::vector<VariedParameter> varied;
     varied.reserve(names.size());
     for (std::string& name : names) {
@@ -211,11 +217,14 @@ class SweepReader {
     while (true) {
       const auto more = reader->next(row);
       if (!more) return refuse(more.error());
-      if (!*more) return varied;
+      if (!*more) break;
       for (std::size_t p = 0; p < row.size(); ++p) {
         varied[p].distribution.numbers.push_back(row[p]);
       }
     }
+    const std::string missing = base::in_words(reader->missing(), source->format.missing);
+    if (!missing.empty()) binder_.note(*csv.node, csv.path, source->shown_name + ": " + missing);
+    return varied;
   }
 
   std::vector<VariedParameter> read_varied(const SweepKeysText& keys,

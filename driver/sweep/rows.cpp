@@ -37,6 +37,9 @@ table::TableHead rows_head(const Sweep& sweep, const std::string& identity,
       fmt::format("# slipbench {}\n# sweep: {}\n# title: {}\n# case: {}\n",
                   results::program_version(), file_name(sweep), base::printable(sweep.title),
                   base::printable(fs::path(sweep.case_path).filename().string()));
+  if (const std::string settings = settings_text(sweep); !settings.empty()) {
+    head.lines += "# set: " + base::printable(settings) + "\n";
+  }
   if (part) {
     head.lines +=
         fmt::format("# part: {}/{}\n# identity: {}\n", part->number, part->count, identity);

@@ -13,6 +13,7 @@
 
 #include "driver/base/files/work_crew.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/format_number.hpp"
 #include "driver/bench/run_case.hpp"
 #include "driver/bench/run_length.hpp"
 #include "driver/sweep/collected_numbers.hpp"
@@ -57,6 +58,20 @@ std::vector<base::ParameterText> overrides_of(const Sweep& sweep, std::span<cons
     overrides.push_back({sweep.varied[p].name, values[p]});
   }
   return overrides;
+}
+
+std::string setting_text(const base::ParameterText& one) {
+  const double* number = std::get_if<double>(&one.value);
+  return one.name + "=" +
+         (number != nullptr ? base::format_number(*number) : std::get<std::string>(one.value));
+}
+
+std::string settings_text(const Sweep& sweep) {
+  std::string text;
+  for (const base::ParameterText& one : sweep.settings) {
+    text += (text.empty() ? "" : ", ") + setting_text(one);
+  }
+  return text;
 }
 
 std::size_t chunk_size(const Sweep& sweep) {

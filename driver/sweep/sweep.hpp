@@ -83,4 +83,10 @@ inline std::size_t row_length(const Sweep& sweep) {
 /// \param values of the varied parameters, in their order
 std::vector<base::ParameterText> overrides_of(const Sweep& sweep, std::span<const double> values);
 
+/// Returns an override as --set takes it: "mu=0.2".
+std::string setting_text(const base::ParameterText& one);
+
+/// Returns what --set gave to the whole sweep: "N=50, k=1e3"; empty for nothing.
+std::string settings_text(const Sweep& sweep);
+
 }  // namespace slipbench::driver::sweep

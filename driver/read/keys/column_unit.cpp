@@ -103,6 +103,19 @@ std::optional<ColumnUnit> column_unit(yaml::Binder& binder, const base::CsvReade
   return *found;
 }
 
+bool is_in_units_of_case(yaml::Binder& binder, const base::CsvReader& file,
+                         const std::string& column, std::string_view what, const yaml::Node& at,
+                         const yaml::Path& path) {
+  const std::string unit(file.unit(column));
+  if (unit.empty() || unit == "-") return true;
+  if (unit == file.unit_above(column) && !binder.is_foreign_unit(unit)) return true;
+  binder.error(at, path,
+               fmt::format("{} states column '{}' in {}, and {} is read in the case's units",
+                           file.name(), base::printable(column), base::printable(unit), what),
+               "convert the column, and leave its unit out of the file");
+  return false;
+}
+
 void note_missing(yaml::Binder& binder, const base::DataSource& source,
                   std::span<const std::string> columns, const yaml::Node& at,
                   const yaml::Path& path) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/units/units.hpp"
@@ -30,6 +31,12 @@ std::optional<ColumnUnit> column_unit(yaml::Binder& binder, const base::CsvReade
                                       const yaml::Path& path, const yaml::At<std::string>& stated,
                                       std::span<const base::Dimension> dimensions,
                                       const base::UnitSystem& system);
+
+/// Tells whether the file states no unit for a column, or one of the case, where a unit cannot be
+/// converted; false after reporting another. \param what is read: "a table"
+bool is_in_units_of_case(yaml::Binder& binder, const base::CsvReader& file,
+                         const std::string& column, std::string_view what, const yaml::Node& at,
+                         const yaml::Path& path);
 
 /// Says how many samples of these columns are missing, if the source allows for it. Faults of the
 /// file are not reported: those that read it do.

@@ -122,14 +122,9 @@ std::optional<Rows> rows_of(yaml::Binder& binder, const TableText& text, const y
   auto reader = base::CsvReader::open(*source, columns);
   if (!reader) return fail(reader.error());
   for (const auto& column : text.columns.value) {
-    const std::string unit(reader->unit(column.value));
-    if (unit.empty() || unit == "-") continue;
-    if (unit == reader->unit_above(column.value) && !binder.is_foreign_unit(unit)) continue;
-    binder.error(*column.node, column.path,
-                 rows.file + " states column '" + base::printable(column.value) + "' in " +
-                     base::printable(unit) + ", and a table is read in the case's units",
-                 "convert the column, and leave its unit out of the file");
-    return std::nullopt;
+    if (!is_in_units_of_case(binder, *reader, column.value, "a table", *column.node, column.path)) {
+      return std::nullopt;
+    }
   }
   std::vector<double> row(columns.size());
   while (true) {

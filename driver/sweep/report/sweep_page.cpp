@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "driver/base/text/format_number.hpp"
+#include "driver/base/text/shell_word.hpp"
 #include "driver/report/page_parts.hpp"
 #include "driver/report/page_text.hpp"
 #include "driver/results/provenance.hpp"
@@ -214,15 +214,16 @@ std::string matrix(const Sweep& sweep, const SweepSummary& summary, const KeptSa
   return html + "</tr>\n</tbody></table></div></section>\n";
 }
 
-/// The command that runs one sample alone.
+/// The command that runs one sample alone, from where the sweep was run.
 std::string command(const Sweep& sweep, std::size_t id) {
   std::vector<double> values(sweep.varied.size());
   Samples samples(sweep);
   samples.skip(id);
   samples.take(values);
-  std::string text = "slipbench run " + std::filesystem::path(sweep.case_path).filename().string();
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    text += " --set " + sweep.varied[p].name + "=" + base::format_number(values[p]);
+  std::string text = "slipbench run " + base::shell_word(sweep.case_path);
+  if (sweep.allow_outside) text += " --allow-outside";
+  for (const base::ParameterText& one : overrides_of(sweep, values)) {
+    text += " --set " + base::shell_word(setting_text(one));
   }
   return text;
 }
@@ -281,9 +282,11 @@ std::string sweep_page(const Sweep& sweep, const SweepSummary& summary,
       "href=\"data:,\">\n<title>{}</title>\n"
       "<style>\n{}</style></head>\n<body><main>\n<h1>{}</h1>\n",
       generator(sweep), title, report::page_part::sweep_css(), title);
-  html += fmt::format("<p class=\"soft\">{} samples of {}, by slipbench {}: {}.</p>\n",
+  const std::string settings = settings_text(sweep);
+  html += fmt::format("<p class=\"soft\">{} samples of {}{}, by slipbench {}: {}.</p>\n",
                       summary.samples(),
                       escape_html(std::filesystem::path(sweep.case_path).filename().string()),
+                      settings.empty() ? "" : " with " + escape_html(settings),
                       results::program_version(), escape_html(file_name(sweep)));
   if (summary.failed() > 0) {
     html += "<p class=\"bad\">" + escape_html(summary.failure()) + "</p>\n";

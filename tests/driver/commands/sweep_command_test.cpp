@@ -95,5 +95,76 @@ TEST_CASE("merge joins the parts of a folder, or says what is missing") {
   CHECK(slipbench(folder, "merge s.yaml -o whole").code == 2);
 }
 
+TEST_CASE("merge says of samples without a number what the whole run says") {
+  const TemporaryFolder folder;
+  write_sweep(folder, 40, 20);
+  folder.write("s.yaml",
+               "slipbench: 1\nsweep:\n  case: slot.yaml\n  samples: 40\n"
+               "  vary: {mu: {normal: [0.1, 0.2]}}\n"
+               "  collect: {fp: {first_passage: {of: CSF1, above: 18}}}\n");
+  const Ended whole = slipbench(folder, "sweep s.yaml -o whole");
+  CHECK(whole.code == 3);
+  for (const char* part : {"1/2", "2/2"}) {
+    slipbench(folder, std::string("sweep s.yaml -o out --part ") + part);
+  }
+  const Ended merged = slipbench(folder, "merge s.yaml -o out");
+  CHECK(merged.code == 3);
+  CHECK(merged.output.find("no value in") != std::string::npos);
+  CHECK(shell(folder, "cmp out/s.csv whole/s.csv && cmp out/s.json whole/s.json").output.empty());
+}
+
+TEST_CASE("what was set for a whole sweep is told, and part of the commands on its page") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "sub");
+  write_sweep(folder, 8, 10);
+  fs::rename(folder.path() / "slot.yaml", folder.path() / "sub/my slot.yaml");
+  folder.write("s.yaml",
+               "slipbench: 1\nsweep:\n  case: sub/my slot.yaml\n  samples: 8\n"
+               "  vary: {mu: {uniform: [0.1, 0.3]}}\n  collect: {end: {last: CSF1}}\n");
+  CHECK(slipbench(folder, "sweep s.yaml -o plain").code == 0);
+  CHECK(file_text(folder.path() / "plain/s.csv").find("# set:") == std::string::npos);
+  CHECK(slipbench(folder, "sweep s.yaml -o out --set way=0.05 --set k=500 --report p.html").code ==
+        0);
+  CHECK(file_text(folder.path() / "out/s.csv").find("\n# set: way=0.05, k=500\n") !=
+        std::string::npos);
+  CHECK(file_text(folder.path() / "out/s.json").find("\"set\": \"way=0.05, k=500\"") !=
+        std::string::npos);
+  const std::string page = file_text(folder.path() / "p.html");
+  CHECK(page.find("8 samples of my slot.yaml with way=0.05, k=500") != std::string::npos);
+  // The command of an extreme runs, with what was set.
+  const std::string begin = "<code>slipbench ";
+  const std::size_t at = page.find(begin);
+  REQUIRE(at != std::string::npos);
+  std::string command = page.substr(at + begin.size(), page.find('<', at + 1) - at - begin.size());
+  for (const std::string quote : {"&#39;", "&#x27;", "&apos;"}) {
+    for (std::size_t q = 0; (q = command.find(quote)) != std::string::npos;) {
+      command.replace(q, quote.size(), "'");
+    }
+  }
+  INFO(command);
+  CHECK(command.starts_with("run 'sub/my slot.yaml' --set way=0.05 --set k=500 --set mu="));
+  CHECK(slipbench(folder, command + " -o one").code == 0);
+  CHECK(file_text(folder.path() / "one/my slot.csv").find("way = 0.05") != std::string::npos);
+}
+
+TEST_CASE("a file of samples that states other units is refused, and rows left out are told") {
+  const TemporaryFolder folder;
+  write_sweep(folder, 8, 10);
+  const std::string begin =
+      "slipbench: 1\nsweep:\n  case: slot.yaml\n  collect: {end: {last: CSF1}}\n  csv: ";
+  folder.write("s.yaml", begin + "{file: d.csv, units_row: true}\n");
+  folder.write("d.csv", "mu,k\n-,kN/mm\n0.15,1\n0.2,2\n");
+  const Ended refused = slipbench(folder, "sweep s.yaml -o out");
+  CHECK(refused.code == 2);
+  CHECK(refused.output.find("d.csv states column 'k' in kN/mm, and a sample is read in the case's "
+                            "units; convert the column, and leave its unit out of the file") !=
+        std::string::npos);
+  folder.write("d.csv", "mu,k\n-,-\n0.15,100\n0.2,\n0.25,300\n");
+  folder.write("s.yaml", begin + "{file: d.csv, units_row: true, missing: skip}\n");
+  const Ended skipped = slipbench(folder, "sweep s.yaml -o out");
+  CHECK(skipped.code == 0);
+  CHECK(skipped.output.find("note: sweep.csv: d.csv: 1 row was left out") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace slipbench::driver::commands

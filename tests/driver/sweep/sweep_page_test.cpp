@@ -54,7 +54,8 @@ TEST_CASE("The page of a sweep shows each number, its extremes and the matrix") 
   CHECK(count(page, "class=\"scatter\"") == 4);
   // A dot a sample in each cell of the matrix.
   CHECK(count(page, "h0") == 2000);
-  CHECK(count(page, "<code>slipbench run slot.yaml --set mu=[0-9.]+ --set k=[0-9.]+</code>") == 4);
+  CHECK(count(page,
+              "<code>slipbench run /[^ ]*/slot.yaml --set mu=[0-9.]+ --set k=[0-9.]+</code>") == 4);
   CHECK(count(page, "<script|https?://|nan|inf\\b") == 0);
 }
 
