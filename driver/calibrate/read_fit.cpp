@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
@@ -202,6 +203,51 @@ class FitReader {
     };
     refuse(responses_, "columns to compare", kMostResponses);
     refuse(names_, "parameters in all", kMostNames);
+    check_shared_rows(text.data);
+  }
+
+  /// Reports rows of the last experiment that one before it has as well: they would be scored as if
+  /// the fit did not know them, or count twice.
+  void check_shared_rows(const yaml::At<read::DataSourceText>& data) {
+    const ExperimentFit& last = experiments_.back().fit;
+    if (last.data_path.empty() || !data.given()) return;
+    for (std::size_t i = 0; i + 1 < experiments_.size(); ++i) {
+      const ExperimentFit& other = experiments_[i].fit;
+      if (other.held_out || !shares_rows(last, other)) continue;
+      if (last.held_out) {
+        binder_.error(*data.node, data.path, "holds out rows that are fitted: that tests nothing",
+                      "hold out another file, or other rows by 'from' and 'to'");
+      } else if (last.case_path == other.case_path && last.weight * other.weight > 0.0) {
+        binder_.warning(*data.node, data.path,
+                        "its rows are those of another experiment, and count twice",
+                        "to count an experiment more, give it a 'weight'");
+      }
+      return;
+    }
+  }
+
+  /// Tells whether two experiments compare the same column with the same quantity in some rows.
+  static bool shares_rows(const ExperimentFit& a, const ExperimentFit& b) {
+    // Times in other units or from another zero are not compared.
+    if (a.data_path != b.data_path || a.time.name != b.time.name ||
+        a.time.conversion != b.time.conversion || a.time.factor != b.time.factor ||
+        a.time.offset != b.time.offset) {
+      return false;
+    }
+    constexpr double kEver = std::numeric_limits<double>::infinity();
+    for (const ResponseFit& one : a.responses) {
+      for (const ResponseFit& other : b.responses) {
+        if (one.column.name != other.column.name || one.quantity_text != other.quantity_text) {
+          continue;
+        }
+        const double from = std::max({a.from.value_or(-kEver), one.from.value_or(-kEver),
+                                      b.from.value_or(-kEver), other.from.value_or(-kEver)});
+        const double to = std::min({a.to.value_or(kEver), one.to.value_or(kEver),
+                                    b.to.value_or(kEver), other.to.value_or(kEver)});
+        if (from < to) return true;
+      }
+    }
+    return false;
   }
 
   void check_names(const CalibrateText& text) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/calibrate/resolve_experiment.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -229,11 +231,22 @@ void ExperimentReader::read_data(const ExperimentText& text, ExperimentFit& fit)
   for (const yaml::At<std::string>* use : unknown) all.push_back(use->value);
   const std::string remedy = unknown.empty() ? "" : header->remedy(all);
   const std::string columns = "its columns are: " + base::few_in_words(views(names));
+  const auto is_position = [&](const yaml::At<std::string>* use) {
+    return std::any_of(
+        text.compare.value.begin(), text.compare.value.end(),
+        [&](const auto& compare) { return use == &compare.value.over.value.quantity; });
+  };
   for (const yaml::At<std::string>* use : unknown) {
-    binder_.error(
-        *use->node, use->path,
-        base::printable(fit.data_file) + " has no column " + base::in_quotes(use->value),
-        remedy.empty() ? binder_.nearest_or(use->value, views(names), columns) : columns + remedy);
+    std::string hint = columns + remedy;
+    if (is_position(use)) {
+      hint = fmt::format("name the one that belongs to it, over: {{quantity: {}, column: ..}}; {}",
+                         base::printable(use->value), hint);
+    } else if (remedy.empty()) {
+      hint = binder_.nearest_or(use->value, views(names), columns);
+    }
+    binder_.error(*use->node, use->path,
+                  base::printable(fit.data_file) + " has no column " + base::in_quotes(use->value),
+                  std::move(hint));
   }
   if (const auto chosen = base::CsvReader::open(*source, wanted); !chosen)
     return fail(chosen.error());
@@ -308,7 +321,9 @@ void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment
         continue;
       }
       if (!position) {
-        no_column(*name.node, name.path, name.value, "a position is wanted, such as CP1");
+        no_column(*name.node, name.path, name.value,
+                  "a position is wanted, such as CP1, and the data's column of it: over: "
+                  "{quantity: CP1, column: ..}");
         continue;
       }
       response.over = name.value;

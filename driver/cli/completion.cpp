@@ -191,8 +191,8 @@ void declare_completion(CLI::App& app, Command& command) {
       ->required();
   declared->footer(
       "Examples:\n"
-      "  source <(slipbench completion bash)\n"
       "  slipbench completion zsh > ~/.zfunc/_slipbench\n"
+      "  source <(slipbench completion bash)\n"
       "  slipbench completion fish > ~/.config/fish/completions/slipbench.fish");
   declared->callback([shell, &app, &command] {
     command = [shell, &app] {

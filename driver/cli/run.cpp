@@ -41,6 +41,9 @@ void declare_run(CLI::App& app, Command& command) {
                      "Warnings count as errors: of reading a case nothing is run (exit code 2), of "
                      "its run the exit code is 1");
   declare_force(*declared, options->force, "no result of its case");
+  for (const char* other : {"--compare-integration", "--converge"}) {
+    declared->get_option("--explain")->excludes(declared->get_option(other));
+  }
   declared->footer(
       "Writes <case>.csv, .npy or .h5 (a row an increment), <case>.events.csv (every change "
       "between stick and\n"

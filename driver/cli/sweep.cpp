@@ -44,6 +44,9 @@ void declare_sweep(CLI::App& app, Command& command) {
       "Write the summaries only, however many samples; of a part <sweep>.IofN.tally");
   declared->add_flag("--no-output", options->no_output, "Write no file, only tell what was found");
   declare_force(*declared, options->force, "no result of this sweep");
+  declared->get_option("--rate")->needs(declared->get_option("--emit"));
+  declared->get_option("--part")->excludes(declared->get_option("--emit"));
+  declared->get_option("--format")->excludes(declared->get_option("--no-rows"));
   declared->footer(
       "Writes <sweep>.csv, .npy or .h5, or <sweep>.IofN.csv of a part: a row a sample, with its "
       "id, the values\n"

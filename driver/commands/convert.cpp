@@ -28,7 +28,10 @@ int convert_command(const ConvertOptions& options) {
                                                      ": wants a name in .csv, .npy or .h5");
   }
   const auto table = table::open_table(options.file);
-  if (!table) return terminal::refuse(base::kExitEnvironment, table.error());
+  if (!table) {
+    const bool is_table = table::format_of(options.file).has_value();
+    return terminal::refuse(is_table ? base::kExitEnvironment : base::kExitBadInput, table.error());
+  }
   const table::TableHead& head = (*table)->head();
   // A file of the same lines or columns may be replaced.
   base::FileMark as_csv{"this table"};

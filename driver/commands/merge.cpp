@@ -106,6 +106,12 @@ int merge_command(const MergeOptions& options) {
   }
   auto open = open_sweep(options.file, options.settings, options.allow_outside);
   if (!open) return open.error();
+  for (const std::string& part : options.parts) {
+    std::error_code ignored;
+    if (!fs::exists(part, ignored)) {
+      return terminal::refuse(base::kExitEnvironment, base::printable(part) + ": is not there");
+    }
+  }
   auto files = parts_of(*open, options);
   if (!files) return terminal::refuse(base::kExitBadInput, files.error());
   for (const fs::path& file : *files) open->inputs.push_back(file.string());

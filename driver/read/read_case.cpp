@@ -114,7 +114,12 @@ base::ParameterText in_case_units(base::ParameterText setting, const base::UnitS
   const auto* text = std::get_if<std::string>(&setting.value);
   if (text == nullptr || !base::carries_unit(*text)) return setting;
   const auto number = base::read_with_unit(*text, std::nullopt, units);
-  if (!number) out.error(root.source().name(), {}, "--set " + setting.name, number.error());
+  const std::string place = "--set " + setting.name;
+  if (!number) {
+    out.error(root.source().name(), {}, place, number.error());
+  } else if (number->shifted) {
+    out.note(root.source().name(), {}, place, base::shifted_in_words(*text, *number, units));
+  }
   setting.value = number ? number->value : 0.0;
   return setting;
 }

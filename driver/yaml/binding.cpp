@@ -131,6 +131,14 @@ bool Binder::is_expression(const Node& node) {
   return begin != std::string_view::npos && text[begin] == '=';
 }
 
+/// Returns what to write in place of a function that is not known.
+std::string Binder::known_functions(const std::string& name) const {
+  if (name == "pow") return "a power is written 'a^b'";
+  const std::vector<std::string_view> functions(base::function_names().begin(),
+                                                base::function_names().end());
+  return nearest_or(name, functions, "the functions are " + base::in_words(functions));
+}
+
 void Binder::expression_error(const Node& node, const Path& path,
                               const base::ExpressionError& problem,
                               const std::vector<std::string>& variables) {
@@ -138,11 +146,14 @@ void Binder::expression_error(const Node& node, const Path& path,
   std::string hint;
   if (ends_with_unit(node.text())) {
     hint = "an expression has no unit: its result is in the case's units, angles in radians";
+  } else if (problem.message.starts_with("unknown function")) {
+    hint = known_functions(problem.unknown_name);
+  } else if (base::is_reserved_name(problem.unknown_name)) {
+    hint = "it is known in profiles and checks only, and no parameter can have its name";
   } else if (!problem.unknown_name.empty()) {
     std::vector<std::string_view> names(variables.begin(), variables.end());
     for (const auto& [name, value] : parameters_) names.push_back(name);
     names.insert(names.end(), unresolved_.begin(), unresolved_.end());
-    for (const std::string& name : base::function_names()) names.push_back(name);
     // Only where result columns can be named.
     if (variables.size() > 1) hint = words_.origin_of_column(problem.unknown_name);
     if (hint.empty()) {
@@ -220,6 +231,9 @@ std::optional<double> Binder::number_with_unit(const Node& node, const Path& pat
   if (!read) {
     error(node, path, read.error());
     return std::nullopt;
+  }
+  if (info.unit == UnitUse::kAny && read->shifted) {
+    note(node, path, base::shifted_in_words(node.text(), *read, *units_));
   }
   if (info.unit == UnitUse::kNone) {
     error(node, path, base::in_quotes(node.text()) + ": a number without a unit is wanted here",

@@ -153,6 +153,7 @@ class Binder {
   [[nodiscard]] std::string nearest_or(std::string_view name,
                                        std::span<const std::string_view> names,
                                        std::string otherwise) const;
+  [[nodiscard]] std::string known_functions(const std::string& name) const;
   void missing_key(const Node& map, const Path& path, std::string_view key,
                    std::string_view wanted);
   /// "wanted a number, found a list".

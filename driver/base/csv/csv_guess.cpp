@@ -104,7 +104,10 @@ std::optional<CsvFormat> guess_format(std::string_view head, const CsvFormat& no
     const bool reached =
         first >= stated && std::all_of(lines.begin() + now.skip,
                                        lines.begin() + std::ptrdiff_t(first), is_passed_over);
-    if (!reached) format.skip = static_cast<int>(first);
+    // Nor are comments right above the header to be skipped: they may state units.
+    std::size_t begin = first;
+    while (begin > 0 && is_passed_over(lines[begin - 1])) --begin;
+    if (!reached) format.skip = static_cast<int>(begin);
     for (const char decimal : {now.decimal, now.decimal == '.' ? ',' : '.'}) {
       const char detected = detect_separator(lines[first], decimal);
       for (const char separator : {now.separator, detected, '\t', ';', ',', ' '}) {

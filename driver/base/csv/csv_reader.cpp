@@ -81,8 +81,10 @@ struct CsvReader::File {
   tl::expected<bool, HistoryError> mend(std::string_view line, std::span<double> values,
                                         std::span<std::string_view> texts);
   tl::unexpected<HistoryError> diagnose(std::string_view line, long number) const;
-  tl::unexpected<HistoryError> diagnose_field(std::size_t column, const Field& field, long number,
+  tl::unexpected<HistoryError> diagnose_field(std::size_t column, std::span<const Field> fields,
+                                              long number,
                                               std::span<const std::string> wanted) const;
+  std::string other_mark(std::span<const Field> fields) const;
   std::vector<std::string> wanted() const;
 };
 
@@ -300,7 +302,7 @@ tl::expected<bool, HistoryError> CsvReader::File::mend(std::string_view line,
     const auto slot = static_cast<std::size_t>(slots[i]);
     const auto number = number_in(fields[i].text, decimal);
     if (!number && !is_missing(fields[i].text)) {
-      return diagnose_field(i, fields[i], lines.next_line, {});
+      return diagnose_field(i, fields, lines.next_line, {});
     }
     if (!number && format.missing == MissingSample::kHold && rows == 0) {
       return error(lines.next_line, fields[i].offset,
@@ -354,26 +356,40 @@ tl::unexpected<HistoryError> CsvReader::File::diagnose(std::string_view line, lo
   }
   for (std::size_t i = 0; i < columns; ++i) {
     if (slots[i] == kUnwanted || number_in(fields[i].text, decimal)) continue;
-    return diagnose_field(i, fields[i], number, names);
+    return diagnose_field(i, fields, number, names);
   }
   return error(number, 0, "the row cannot be read (an odd quote?)");
 }
 
+/// "; write {file: rig.csv, decimal: ","}" if the whole row can be read so.
+std::string CsvReader::File::other_mark(std::span<const Field> fields) const {
+  CsvFormat other = format;
+  other.decimal = decimal == '.' ? ',' : '.';
+  if (separator == other.decimal) return {};
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (slots[i] != kUnwanted && !number_in(fields[i].text, other.decimal)) return {};
+  }
+  return written_as(other);
+}
+
 tl::unexpected<HistoryError> CsvReader::File::diagnose_field(
-    std::size_t column, const Field& field, long number,
+    std::size_t column, std::span<const Field> fields, long number,
     std::span<const std::string> wanted) const {
+  const Field& field = fields[column];
   std::string message =
       fmt::format("column '{}' {}", header[column], not_a_number(field.text, decimal));
   if (is_missing(field.text)) {
     return error(number, field.offset, message + skipping(", or 'hold' for the value before"));
   }
   std::string better = rows == 0 ? remedy(wanted) : "";
-  if (better.empty() && separator != ',' && number_in(field.text, decimal == '.' ? ',' : '.')) {
-    CsvFormat other = format;
-    other.decimal = decimal == '.' ? ',' : '.';
-    better = written_as(other);
+  if (better.empty()) better = other_mark(fields);
+  const char mark = decimal == '.' ? ',' : '.';
+  if (may_be_thousands(field.text, mark)) {
+    better += fmt::format("{} a '{}' between thousands is left out", better.empty() ? ";" : ", but",
+                          mark);
   }
-  const bool second_header = better.empty() && number == rows_line && !field.text.empty();
+  const bool second_header =
+      better.empty() && number == rows_line && !field.text.empty() && !number_in(field.text, mark);
   if (second_header) better = " (one header row is read, numbers follow it)";
   return error(number, field.offset, message + better);
 }
@@ -546,11 +562,18 @@ tl::expected<std::string, HistoryError> count_missing(const DataSource& source,
   auto reader = CsvReader::open(source, columns);
   if (!reader) return tl::unexpected(std::move(reader.error()));
   std::vector<double> row(columns.size());
-  for (;;) {
+  long rows = 0;
+  for (;; ++rows) {
     const auto more = reader->next(row);
     if (!more) return tl::unexpected(more.error());
-    if (!*more) return in_words(reader->missing(), source.format.missing);
+    if (!*more) break;
   }
+  const MissingSamples& missing = reader->missing();
+  const bool holds = source.format.missing == MissingSample::kHold;
+  const long there = holds ? rows * static_cast<long>(row.size()) - missing.count : rows;
+  std::string text = in_words(missing, source.format.missing);
+  if (missing.count > there) text += kMostIsMissing;
+  return text;
 }
 
 }  // namespace slipbench::driver::base

@@ -121,6 +121,9 @@ class CsvReader {
   std::unique_ptr<File> file_;
 };
 
+/// The end of what count_missing says where less than half of the file is there.
+inline constexpr std::string_view kMostIsMissing = "; that is most of the file";
+
 /// Reads the whole file for what is missing in these columns, in words; reads nothing if nothing
 /// may be missing. Errors: those of CsvReader.
 tl::expected<std::string, HistoryError> count_missing(const DataSource& source,

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -47,6 +48,22 @@ std::string not_a_number(std::string_view text, char decimal) {
     return fmt::format("holds {}; a finite number is wanted", quote(text));
   }
   return fmt::format("holds {}, which is not a number", quote(text));
+}
+
+bool may_be_thousands(std::string_view text, char mark) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('0')) return false;
+  for (std::size_t groups = 0;; ++groups) {
+    const std::size_t end = std::min(text.find(mark), text.size());
+    const std::string_view group = text.substr(0, end);
+    const bool digits =
+        std::all_of(group.begin(), group.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!digits || group.empty() || group.size() > 3 || (groups > 0 && group.size() < 3)) {
+      return false;
+    }
+    if (end == text.size()) return groups > 0;
+    text.remove_prefix(end + 1);
+  }
 }
 
 std::string take_away(char separator) {

@@ -18,6 +18,13 @@ std::string misfit(std::string_view text, const Dimension& unit, const Dimension
                      wanted_in_words(wanted, system));
 }
 
+std::string shifted_in_words(std::string_view text, const CarriedUnit& read,
+                             const UnitSystem& system) {
+  const std::string unit = unit_text(read.dimension, system);
+  return fmt::format("'{}' is taken as the temperature {:.9g} {}; a difference is written in {}",
+                     printable(text), read.value, unit, unit);
+}
+
 tl::expected<CarriedUnit, std::string> read_with_unit(std::string_view text,
                                                       const std::optional<Dimension>& wanted,
                                                       const UnitSystem& system, bool difference) {
@@ -37,7 +44,7 @@ tl::expected<CarriedUnit, std::string> read_with_unit(std::string_view text,
   if (!conversion) return fault(conversion.error().message);
   const double value = difference ? conversion->scale * *number : (*conversion)(*number);
   if (!std::isfinite(value)) return fault("is too large for a double in the case's units");
-  return CarriedUnit{value, *dimension};
+  return CarriedUnit{value, *dimension, !difference && conversion->offset != 0.0};
 }
 
 }  // namespace slipbench::driver::base

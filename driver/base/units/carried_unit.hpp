@@ -13,8 +13,9 @@ namespace slipbench::driver::base {
 
 /// A number that was written with a unit.
 struct CarriedUnit {
-  double value = 0.0;   ///< in the case's system
-  Dimension dimension;  ///< of the unit
+  double value = 0.0;    ///< in the case's system
+  Dimension dimension;   ///< of the unit
+  bool shifted = false;  ///< from a unit of temperature with another zero
 };
 
 /// Returns whether a text is a number with something behind it that may be a unit.
@@ -28,6 +29,11 @@ struct CarriedUnit {
 [[nodiscard]] tl::expected<CarriedUnit, std::string> read_with_unit(
     std::string_view text, const std::optional<Dimension>& wanted, const UnitSystem& system,
     bool difference = false);
+
+/// The sentence for a parameter that was shifted: whether it is a temperature or a difference of
+/// two is known where it is used.
+[[nodiscard]] std::string shifted_in_words(std::string_view text, const CarriedUnit& read,
+                                           const UnitSystem& system);
 
 /// The sentence for a text whose unit has another dimension than is wanted.
 [[nodiscard]] std::string misfit(std::string_view text, const Dimension& unit,

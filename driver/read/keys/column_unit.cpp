@@ -123,7 +123,13 @@ void note_missing(yaml::Binder& binder, const base::DataSource& source,
   for (const std::string& column : columns) key += "\n" + column;
   const std::string& missing = binder.words_of(
       std::move(key), [&] { return base::count_missing(source, columns).value_or(""); });
-  if (!missing.empty()) binder.note(at, path, source.shown_name + ": " + missing);
+  if (missing.empty()) return;
+  std::string text = source.shown_name + ": " + missing;
+  if (missing.ends_with(base::kMostIsMissing)) {
+    binder.warning(at, path, std::move(text));
+  } else {
+    binder.note(at, path, std::move(text));
+  }
 }
 
 bool may_read(yaml::Binder& binder, const base::DataSource& source, const yaml::Node& at,

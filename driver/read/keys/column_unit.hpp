@@ -38,8 +38,8 @@ bool is_in_units_of_case(yaml::Binder& binder, const base::CsvReader& file,
                          const std::string& column, std::string_view what, const yaml::Node& at,
                          const yaml::Path& path);
 
-/// Says how many samples of these columns are missing, if the source allows for it. Faults of the
-/// file are not reported: those that read it do.
+/// Says how many samples of these columns are missing, if the source allows for it; warns where it
+/// is most of them. Faults of the file are not reported: those that read it do.
 void note_missing(yaml::Binder& binder, const base::DataSource& source,
                   std::span<const std::string> columns, const yaml::Node& at,
                   const yaml::Path& path);

@@ -32,7 +32,7 @@ std::string_view key_for_option(std::string_view option) {
     std::string_view name;
     std::string_view text;
   };
-  static constexpr std::array<Option, 10> kOptions{{
+  static constexpr std::array<Option, 11> kOptions{{
       {"Ifric",
        "the law stands by its name in 'coefficient': Ifric 0 is a number, 1 generalized_viscous, 2 "
        "modified_darmstad, 3 renard, 4 exponential_decay"},
@@ -52,6 +52,7 @@ std::string_view key_for_option(std::string_view option) {
       {"velocity",
        "a motion is a position over time: 'motion: {CP1: {to: 0.1}}' goes there evenly within the "
        "step's duration"},
+      {"rows", "a table is {columns: [..], rows: [..]}: which column is what, and their numbers"},
       {"load", "what is held is loaded under 'force:', as {f2: 100}"},
   }};
   for (const Option& known : kOptions) {

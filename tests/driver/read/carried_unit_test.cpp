@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "driver/base/text/one_line.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
 namespace slipbench::driver::read {
@@ -155,6 +156,14 @@ TEST_CASE("A parameter's dimension is its unit's, on the command line too") {
   CHECK(read::sound(text).parameters.at("k") == Approx(0.05));
   CHECK(read::sound(text).parameters.at("phi") == Approx(130.0 * pi / 180.0));
   CHECK(read::sound(text).parameters.at("T0") == Approx(293.15));
+  // A difference of 20 degC would be 20 K.
+  const auto notes = [](const read::ReadCase& read) {
+    return base::lines_of(read.diagnostics, base::Severity::kNote);
+  };
+  CHECK_THAT(
+      notes(read::read_text(text)),
+      Catch::VectorContains(std::string("parameters.T0: '20 degC' is taken as the temperature "
+                                        "293.15 K; a difference is written in K")));
   read::ReadOptions options;
   options.overrides = {{"k", std::string("5kN/mm")}, {"phi", std::string("90 deg")}};
   CHECK(read::sound(text, options).parameters.at("k") == Approx(50.0));

@@ -80,7 +80,7 @@ TEST_CASE("no other format is advised for a file whose format nobody can state: 
     }
   };
   CHECK(fault("t,x\n0,1\n1,nan\n") == "column 'x' holds 'nan'; a finite number is wanted");
-  CHECK(fault("t,x\n0,1\n1,\n") == "column 'x' is empty; a number is wanted");
+  CHECK(fault("t,x\n0,1\n1,\n") == "column 'x' is empty");
   CHECK(fault("t,x\n0,1\n\n1,2\n") == "a blank line before the last row");
   CHECK(fault("t;x\n0;1,5\n") ==
         "column 'x' holds '1,5' with a decimal comma; the decimal mark is '.'");

@@ -80,13 +80,53 @@ TEST_CASE("lines before the header are passed over, and their number is found") 
   CHECK(read(bytes, {.decimal = ',', .skip = 4}).rows == kTwoRows);
   CHECK(read(bytes, {}).fault ==
         "1:1: no column 't'; the columns are Rig 7, operator Meier; write {file: rig.csv, decimal: "
-        "\",\", skip: 4}");
+        "\",\", skip: 2}");
   CHECK(read(bytes, {.decimal = ',', .skip = 5}).fault ==
         "6:1: numbers where the header row with the columns' names is wanted; write {file: "
-        "rig.csv, decimal: \",\", skip: 4}");
+        "rig.csv, decimal: \",\", skip: 2}");
   CHECK(read("t,x\n0,1\n", {.skip = 9}).fault ==
         "2:1: there is no header row: the file has 2 lines, and 'skip' passes over 9; write {file: "
         "rig.csv}");
+}
+
+TEST_CASE("the advised number of lines leaves what states the units") {
+  const TemporaryFolder folder;
+  const std::string bytes = "Rig 7\n# columns: t [s], F [kN]\n\nt,F\n0,0.1\n1,0.2\n";
+  CHECK(read(bytes, {}, {"t", "F"}).fault.ends_with("; write {file: rig.csv, skip: 1}"));
+  const auto reader =
+      CsvReader::open({folder.write("rig.csv", bytes), "", {.skip = 1}}, Names{"t", "F"});
+  REQUIRE(reader);
+  CHECK(reader->unit("F") == "kN");
+}
+
+TEST_CASE("another decimal mark is advised if the whole row has it, and thousands are told") {
+  const std::string bytes = "t;x;F\n0,0;0,00;1.100\n";
+  const Names names{"t", "x", "F"};
+  CHECK(read(bytes, {}, names).fault ==
+        "2:1: column 't' holds '0,0' with a decimal comma; the decimal mark is '.'");
+  CHECK(read(bytes, {.decimal = ','}, names).fault ==
+        "2:10: column 'F' holds '1.100' with a decimal point; the decimal mark is ','; a '.' "
+        "between thousands is left out");
+  CHECK(read("t;F\n0;1.100\n", {.decimal = ','}, {"t", "F"}).fault ==
+        "2:3: column 'F' holds '1.100' with a decimal point; the decimal mark is ','; write {file: "
+        "rig.csv}, but a '.' between thousands is left out");
+  CHECK(read("t;F\n0;0.125\n", {.decimal = ','}, {"t", "F"}).fault ==
+        "2:3: column 'F' holds '0.125' with a decimal point; the decimal mark is ','; write {file: "
+        "rig.csv}");
+}
+
+TEST_CASE("what is missing is told, and whether it is most of the file") {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string& bytes, MissingSample answer) {
+    const DataSource source{folder.write("rig.csv", bytes), "", {.missing = answer}};
+    return count_missing(source, Names{"t", "x"}).value();
+  };
+  CHECK(told("t,x\n0,1\n1,\n2,3\n", MissingSample::kSkip) ==
+        "1 row was left out, as it lacks a sample (line 3)");
+  CHECK(told("t,x\n0,1\n1,\n2,\n", MissingSample::kSkip) ==
+        "2 rows were left out, as they lack a sample (first in line 3); that is most of the file");
+  CHECK(told("t,x\n0,1\n1,\n2,\n", MissingSample::kHold) ==
+        "2 missing samples were held at the values before (first in line 3)");
 }
 
 TEST_CASE("the unit of a column is that of the row of units, or stands behind its name") {
