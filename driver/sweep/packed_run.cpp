@@ -42,6 +42,26 @@ const history::Profile* profile_of(const cases::Step& step, int component) {
   return nullptr;
 }
 
+/// Returns the varied forces that act in each step, in the order of their indices.
+std::vector<std::vector<std::size_t>> acting_forces(const cases::Case& problem,
+                                                    const std::vector<VariedForce>& forces) {
+  std::vector<std::vector<std::size_t>> begun(problem.steps.size());
+  for (std::size_t i = 0; i < forces.size(); ++i) begun[forces[i].step].push_back(i);
+  // A measured history is a step that the case does not have.
+  std::vector<std::vector<std::size_t>> acting(std::max<std::size_t>(problem.steps.size(), 1));
+  std::vector<std::size_t> now;
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    // A force that a step does not drive keeps its value.
+    std::erase_if(now, [&](std::size_t i) {
+      return profile_of(problem.steps[s], forces[i].component) != nullptr;
+    });
+    now.insert(now.end(), begun[s].begin(), begun[s].end());
+    std::sort(now.begin(), now.end());
+    acting[s] = now;
+  }
+  return acting;
+}
+
 /// Tells whether a later step sets out from a force.
 bool is_continued(const cases::Case& problem, const VariedForce& force) {
   for (std::size_t s = force.step + 1; s < problem.steps.size(); ++s) {
@@ -105,22 +125,13 @@ bool PackedRun::walk_history() {
   const std::vector<VariedForce>& forces = quick_.forces();
   const auto continued = [&](const VariedForce& force) { return is_continued(problem, force); };
   if (std::any_of(forces.begin(), forces.end(), continued)) return false;
+  const std::vector<std::vector<std::size_t>> acting = acting_forces(problem, forces);
   for (std::size_t row = 0; row < steps.size(); ++row) {
     if (row > 0 && steps[row] == steps[row - 1]) {
       ++stretches_.back().count;
       continue;
     }
-    Stretch stretch{.count = 1, .forces = {}};
-    // A force that a step does not drive keeps its value.
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-      const auto now = static_cast<std::size_t>(steps[row]);
-      bool acts = forces[i].step <= now;
-      for (std::size_t s = forces[i].step + 1; s <= now; ++s) {
-        acts = acts && profile_of(problem.steps[s], forces[i].component) == nullptr;
-      }
-      if (acts) stretch.forces.push_back(i);
-    }
-    stretches_.push_back(std::move(stretch));
+    stretches_.push_back({.count = 1, .forces = acting[static_cast<std::size_t>(steps[row])]});
   }
   return true;
 }

@@ -187,6 +187,29 @@ TEST_CASE("a measured history is walked once for all samples") {
   CHECK(compare(*read.value) == 0);
 }
 
+TEST_CASE("forces of steps act until the next that drives their component, in packs as alone") {
+  const Written written(
+      with(kSlot, "again, duration: 1.5", "again, force: {f3: = load/2}, duration: 1.5"),
+      kVarySlot + kAll);
+  CHECK(compare(written.sweep()) == 0);
+}
+
+TEST_CASE("a pack of many steps knows at once which forces act in them") {
+  // Each varied force, in each step, with all the steps in between would be 10^11 comparisons.
+  std::string problem =
+      kHead +
+      "parameters: {mu: 0.2, load: 50}\nconnector: {type: SLOT}\n"
+      "friction: [{predefined: {}, coefficient: = mu, stick: {stiffness: 1000}}]\n"
+      "history:\n  - {step: s, increments: 1, motion: {CP1: {to: 1}}, force: &f {f2: = load}}\n";
+  for (int i = 0; i < 8000; ++i) {
+    problem += "  - {step: s" + std::to_string(i) + ", increments: 1, force: *f}\n";
+  }
+  const Written written(problem,
+                        "  vary: {load: {uniform: [90, 110]}}\n  samples: 64\n"
+                        "  collect: {end: {last: CSF1}}\n");
+  CHECK(packed_run(written.sweep()) != nullptr);
+}
+
 TEST_CASE("a sweep goes alone where a sample is more than the numbers of one definition") {
   const auto packs = [](const std::string& problem, const std::string& keys) {
     const Written written(problem, keys);
