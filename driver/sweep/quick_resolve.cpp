@@ -289,15 +289,13 @@ std::optional<QuickResolve> QuickResolve::make(const Sweep& sweep) {
   quick.numbers_.resize(quick.names_.size());
   if (!quick.take_names(middle)) return std::nullopt;
   // The formulas of checks have no say in a run, and no value of a parameter makes them faulty.
-  const auto is_of_check = [&](const yaml::Formula& formula) {
-    return formula.path.starts_with("checks[") &&
-           std::any_of(formulas.begin(), formulas.end(), [&](const yaml::Formula& other) {
-             return !other.is_number && other.path == formula.path;
-           });
-  };
+  std::set<std::string_view> of_checks;
+  for (const yaml::Formula& formula : formulas) {
+    if (!formula.is_number && formula.path.starts_with("checks[")) of_checks.insert(formula.path);
+  }
   std::set<std::string> seen;
   for (const yaml::Formula& formula : formulas) {
-    if (is_of_check(formula)) continue;
+    if (of_checks.contains(formula.path)) continue;
     auto number = quick.number_of(formula.text, base.parameters);
     if (!number) {
       if (quick.is_independent(formula.text, base.parameters)) continue;

@@ -210,6 +210,29 @@ TEST_CASE("a pack of many steps knows at once which forces act in them") {
   CHECK(packed_run(written.sweep()) != nullptr);
 }
 
+TEST_CASE("formulas of checks are told from those of a run by their paths, however many") {
+  // Each of 100,000 with all others would be 10^10 comparisons.
+  std::string list = "[= mu";
+  for (int i = 1; i < 1000; ++i) list += ", = mu";
+  list += "]";
+  std::string problem =
+      kHead +
+      "parameters: {mu: 0.2, load: 50}\nconnector: {type: SLOT}\n"
+      "friction: [{predefined: {}, coefficient: = mu, stick: {stiffness: 1000}}]\n"
+      "history: [{step: s, increments: 4, motion: {CP1: {to: 1}}, force: {f2: = load}}]\nchecks:\n";
+  const std::string first = "&w {stick_stiffnesses: " + list + ", limits: " + list + "}";
+  for (int i = 0; i < 50; ++i) {
+    problem += "  - {name: c" + std::to_string(i) +
+               ", quantity: CSF1, tolerance: {absolute: 9, why: none},\n"
+               "     against: {closed_form: parallel_sliders, with: " +
+               (i == 0 ? first : "*w") + "}}\n";
+  }
+  const Written written(problem,
+                        "  vary: {load: {uniform: [90, 110]}}\n  samples: 64\n"
+                        "  collect: {end: {last: CSF1}}\n");
+  CHECK(packed_run(written.sweep()) != nullptr);
+}
+
 TEST_CASE("a sweep goes alone where a sample is more than the numbers of one definition") {
   const auto packs = [](const std::string& problem, const std::string& keys) {
     const Written written(problem, keys);
