@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -19,6 +20,20 @@ constexpr std::size_t kGroups = 64;
 /// Of Student's distribution with 63 degrees of freedom, between which 95 % lie.
 constexpr double kStudent = 1.998;
 
+void take(ExactSum& sum, const ExactSum& own, bool subtract) {
+  subtract ? sum.subtract(own) : sum.add(own);
+}
+
+/// Returns an index with the interval that its estimates without each of the groups give.
+VariancePart with_interval(double value, const std::array<double, kGroups>& estimates) {
+  constexpr double kAll = kGroups;
+  const double mean = std::accumulate(estimates.begin(), estimates.end(), 0.0) / kAll;
+  double squares = 0.0;
+  for (const double one : estimates) squares += (one - mean) * (one - mean);
+  const double half = kStudent * std::sqrt((kAll - 1.0) / kAll * squares);
+  return {value, value - half, value + half};
+}
+
 /// With two digits, and no sign before what is 0 then.
 std::string digits(double part) {
   return fmt::format("{:.2f}", std::abs(part) < 0.005 ? 0.0 : part);
@@ -29,18 +44,17 @@ std::string digits(const VariancePart& part) {
 
 }  // namespace
 
+void SobolEstimate::Sums::Change::add(const Change& other, bool subtract) {
+  take(sum, other.sum, subtract);
+  take(products, other.products, subtract);
+  take(squares, other.squares, subtract);
+}
+
 void SobolEstimate::Sums::add(const Sums& other, bool subtract) {
-  const auto take = [&](ExactSum& sum, const ExactSum& own) {
-    subtract ? sum.subtract(own) : sum.add(own);
-  };
   rows = subtract ? rows - other.rows : rows + other.rows;
-  take(both, other.both);
-  take(squares, other.squares);
-  for (std::size_t p = 0; p < changes.size(); ++p) {
-    take(changes[p].sum, other.changes[p].sum);
-    take(changes[p].products, other.changes[p].products);
-    take(changes[p].squares, other.changes[p].squares);
-  }
+  take(both, other.both, subtract);
+  take(squares, other.squares, subtract);
+  for (std::size_t p = 0; p < changes.size(); ++p) changes[p].add(other.changes[p], subtract);
 }
 
 double SobolEstimate::Sums::variance() const {
@@ -48,16 +62,26 @@ double SobolEstimate::Sums::variance() const {
   return sum_about_means(count, both, both, squares) / count;
 }
 
-double SobolEstimate::Sums::first(std::size_t parameter) const {
-  const auto count = static_cast<double>(rows);
-  ExactSum products = changes[parameter].products;
-  products.add_times(changes[parameter].sum, -both.value() / (2.0 * count));
-  return products.value() / (count * variance());
-}
+/// What the indices of all parameters have in common, of some rows.
+struct SobolEstimate::Basis {
+  double rows = 0.0;
+  double mean = 0.0;
+  double variance = 0.0;
 
-double SobolEstimate::Sums::total(std::size_t parameter) const {
-  return changes[parameter].squares.value() / (2.0 * static_cast<double>(rows) * variance());
-}
+  explicit Basis(const Sums& sums)
+      : rows(static_cast<double>(sums.rows)),
+        mean(sums.both.value() / (2.0 * rows)),
+        variance(sums.variance()) {}
+
+  double first(const Sums::Change& change) const {
+    ExactSum products = change.products;
+    products.add_times(change.sum, -mean);
+    return products.value() / (rows * variance);
+  }
+  double total(const Sums::Change& change) const {
+    return change.squares.value() / (2.0 * rows * variance);
+  }
+};
 
 SobolEstimate::SobolEstimate(const Sweep& sweep)
     : sweep_(&sweep),
@@ -122,26 +146,30 @@ bool SobolEstimate::varies(std::size_t number) const {
   return all.variance() > 1e-24 * mean * mean;
 }
 
-SobolIndices SobolEstimate::indices(std::size_t number, std::size_t parameter) const {
+std::vector<SobolIndices> SobolEstimate::indices(std::size_t number) const {
+  const std::vector<Sums>& groups = groups_[number];
   const Sums all = sum(number);
-  const auto with_interval = [&](double (Sums::*index)(std::size_t) const) {
-    double sum_of_estimates = 0.0;
-    std::vector<double> estimates;
-    for (const Sums& group : groups_[number]) {
-      Sums others = all;
-      others.add(group, true);
-      estimates.push_back((others.*index)(parameter));
-      sum_of_estimates += estimates.back();
+  const Basis whole(all);
+  std::vector<Basis> without;
+  for (const Sums& group : groups) {
+    Sums others{all.rows, all.both, all.squares, {}};
+    others.add(group, true);
+    without.emplace_back(others);
+  }
+  std::vector<SobolIndices> found;
+  for (std::size_t p = 0; p < parameters_; ++p) {
+    std::array<double, kGroups> first{};
+    std::array<double, kGroups> total{};
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      Sums::Change others = all.changes[p];
+      others.add(groups[g].changes[p], true);
+      first[g] = without[g].first(others);
+      total[g] = without[g].total(others);
     }
-    const double mean = sum_of_estimates / static_cast<double>(kGroups);
-    double squares = 0.0;
-    for (const double one : estimates) squares += (one - mean) * (one - mean);
-    constexpr double kAll = kGroups;
-    const double half = kStudent * std::sqrt((kAll - 1.0) / kAll * squares);
-    const double value = (all.*index)(parameter);
-    return VariancePart{value, value - half, value + half};
-  };
-  return {with_interval(&Sums::first), with_interval(&Sums::total)};
+    found.push_back({with_interval(whole.first(all.changes[p]), first),
+                     with_interval(whole.total(all.changes[p]), total)});
+  }
+  return found;
 }
 
 std::string SobolEstimate::text() const {
@@ -156,8 +184,7 @@ std::string SobolEstimate::text() const {
       text += "does not vary, or in fewer than 128 rows\n";
       continue;
     }
-    std::vector<SobolIndices> all;
-    for (std::size_t p = 0; p < parameters_; ++p) all.push_back(indices(n, p));
+    const std::vector<SobolIndices> all = indices(n);
     std::vector<std::size_t> order(parameters_);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -186,8 +213,9 @@ std::string SobolEstimate::csv() const {
       results::program_version(), base::in_cells(file_name(*sweep_)), rows_);
   for (std::size_t n = 0; n < row_.size(); ++n) {
     if (!varies(n)) continue;
+    const std::vector<SobolIndices> all = indices(n);
     for (std::size_t p = 0; p < parameters_; ++p) {
-      const auto [first, total] = indices(n, p);
+      const auto& [first, total] = all[p];
       text += sweep_->collected[n].name + "," + sweep_->varied[p].name;
       for (const VariancePart& part : {first, total}) {
         for (const double number : {part.value, part.low, part.high}) {

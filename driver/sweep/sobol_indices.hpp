@@ -44,7 +44,8 @@ class SobolEstimate {
 
   /// Tells whether a number varies, so that there are indices of it.
   bool varies(std::size_t number) const;
-  SobolIndices indices(std::size_t number, std::size_t parameter) const;
+  /// Indices of a number that varies, for each parameter.
+  std::vector<SobolIndices> indices(std::size_t number) const;
   /// Rows of which some sample has no such number: they are left out.
   std::size_t dropped(std::size_t number) const { return dropped_[number]; }
 
@@ -65,6 +66,7 @@ class SobolEstimate {
       ExactSum products;  ///< f_B (f_ABi - f_A)
       ExactSum squares;   ///< (f_ABi - f_A)^2
 
+      void add(const Change& other, bool subtract);
       void fields(auto& archive) { archive(sum, products, squares); }
     };
     std::size_t rows = 0;
@@ -74,10 +76,10 @@ class SobolEstimate {
 
     void add(const Sums& other, bool subtract = false);
     double variance() const;
-    double first(std::size_t parameter) const;
-    double total(std::size_t parameter) const;
     void fields(auto& archive) { archive(rows, both, squares, changes); }
   };
+
+  struct Basis;
 
   void end_row(std::size_t number, std::size_t row);
   Sums sum(std::size_t number) const;

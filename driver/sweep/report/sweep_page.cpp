@@ -91,11 +91,12 @@ struct Bar {
 std::vector<Bar> bars_of(const Sweep& sweep, const SweepSummary& summary,
                          const std::optional<SobolEstimate>& indices, std::size_t number) {
   std::vector<Bar> bars;
+  if (indices && !indices->varies(number)) return bars;
+  const auto parts = indices ? indices->indices(number) : std::vector<SobolIndices>();
   for (std::size_t p = 0; p < sweep.varied.size(); ++p) {
     const std::string& name = sweep.varied[p].name;
     if (indices) {
-      if (!indices->varies(number)) continue;
-      const auto [first, total] = indices->indices(number, p);
+      const auto& [first, total] = parts[p];
       bars.push_back(
           {name, total.value, total.low, total.high, first.value,
            fmt::format("{:.3f} ({:.3f} .. {:.3f}), alone {:.3f} ({:.3f} .. {:.3f})", total.value,

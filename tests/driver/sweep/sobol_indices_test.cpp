@@ -18,9 +18,11 @@ TEST_CASE("Sobol' indices of a product are those of the closed form") {
   REQUIRE(read.value.has_value());
   REQUIRE(read.value->samples == 20480);
   const SobolEstimate found = estimate(*read.value);
+  const std::vector<SobolIndices> all = found.indices(0);
+  REQUIRE(all.size() == 3);
   for (std::size_t p = 0; p < 3; ++p) {
     INFO("parameter " << p);
-    const SobolIndices indices = found.indices(0, p);
+    const SobolIndices& indices = all[p];
     // The sequence's error with so many rows; random rows would be some 0.02 off.
     CHECK(indices.first.value == Approx(kFirst[p]).margin(0.005));
     CHECK(indices.total.value == Approx(kTotal[p]).margin(0.005));
@@ -29,7 +31,7 @@ TEST_CASE("Sobol' indices of a product are those of the closed form") {
     CHECK(indices.total.low <= kTotal[p]);
     CHECK(indices.total.high >= kTotal[p]);
   }
-  CHECK(found.indices(0, 2).total.high < 1e-12);
+  CHECK(all[2].total.high < 1e-12);
   CHECK_FALSE(found.varies(2));
   CHECK(found.dropped(0) == 0);
   // Where mu load stays below 12 N: the integral of the two densities, 0.0296.
@@ -60,6 +62,37 @@ TEST_CASE("A row of samples is A, A with one coordinate of B, and B") {
     std::vector<double> some(60);
     later.take(some);
     CHECK(std::equal(some.begin(), some.end(), values.begin() + 51));
+  }
+}
+
+TEST_CASE("Sobol' indices of many parameters take the sums of each once") {
+  // Those of all parameters again for each of them would be some 60 million sums.
+  constexpr std::size_t kParameters = 400;
+  const Product product;
+  ReadSweep read = product.read(128);
+  REQUIRE(read.value.has_value());
+  Sweep& sweep = *read.value;
+  sweep.varied.resize(kParameters, sweep.varied.front());
+  sweep.collected.resize(1);
+  SobolEstimate found(sweep);
+  std::size_t id = 0;
+  for (std::size_t row = 0; row < 128; ++row) {
+    const double a = row % 2 == 0 ? 1.0 : -1.0;
+    const double b = row / 2 % 2 == 0 ? 1.0 : -1.0;
+    for (std::size_t i = 0; i < kParameters + 2; ++i) {
+      // The first parameter is all that counts.
+      const double number = i == 1 || i == kParameters + 1 ? b : a;
+      found.add({.id = id++, .values = {}, .numbers = {&number, 1}, .failure = {}});
+    }
+  }
+  REQUIRE(found.varies(0));
+  const std::vector<SobolIndices> indices = found.indices(0);
+  REQUIRE(indices.size() == kParameters);
+  CHECK(indices[0].first.value == 1.0);
+  CHECK(indices[0].total.value == 1.0);
+  for (std::size_t p = 1; p < kParameters; ++p) {
+    CHECK(indices[p].first.value == 0.0);
+    CHECK(indices[p].total.high == 0.0);
   }
 }
 
