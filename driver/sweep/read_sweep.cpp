@@ -19,6 +19,7 @@
 #include "driver/read/keys/data_source_text.hpp"
 #include "driver/read/resolve/resolve_expression.hpp"
 #include "driver/results/columns.hpp"
+#include "driver/sweep/excess_of_sums.hpp"
 #include "driver/sweep/samples.hpp"
 #include "driver/sweep/sweep_reference.hpp"
 #include "driver/sweep/sweep_text.hpp"
@@ -423,13 +424,8 @@ class SweepReader {
       }
       sweep.collected.push_back(std::move(collected));
     }
-    // Sums for the correlation of each pair are kept, some 1.6 kB, however few samples there are.
-    constexpr std::size_t kMostPairs = 100'000;
-    if (sweep.varied.size() * sweep.collected.size() > kMostPairs) {
-      binder_.error(*keys.collect.node, keys.collect.path,
-                    fmt::format("{} varied parameters and {} collected numbers have more than {} "
-                                "correlations; vary or collect fewer",
-                                sweep.varied.size(), sweep.collected.size(), kMostPairs));
+    if (auto excess = excess_of_sums(sweep)) {
+      binder_.error(*keys.collect.node, keys.collect.path, std::move(*excess));
     }
   }
 

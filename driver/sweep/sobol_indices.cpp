@@ -93,6 +93,10 @@ SobolEstimate::SobolEstimate(const Sweep& sweep)
   groups_.assign(sweep.collected.size(), std::vector<Sums>(kGroups, none));
 }
 
+std::size_t SobolEstimate::size(std::size_t parameters, std::size_t numbers) {
+  return numbers * kGroups * (sizeof(Sums) + parameters * sizeof(Sums::Change));
+}
+
 void SobolEstimate::add(const SampleOutcome& outcome) {
   const std::size_t length = parameters_ + 2;
   const std::size_t place = outcome.id % length;

@@ -37,6 +37,9 @@ class SobolEstimate {
  public:
   explicit SobolEstimate(const Sweep& sweep);
 
+  /// Bytes that an estimate takes, however few rows there are.
+  static std::size_t size(std::size_t parameters, std::size_t numbers);
+
   /// Takes a sample: those of a row one after the other, the rows in any order.
   void add(const SampleOutcome& outcome);
   /// Takes all rows of another estimate of the same sweep.

@@ -106,6 +106,14 @@ TEST_CASE("Sobol' indices are refused where the samples cannot be laid out") {
   };
   CHECK_THAT(errors(product.keys(10, "grid", 1)), Catch::Contains("not a grid"));
   CHECK_THAT(errors(product.keys(1'000'000'000, "sobol", 1)), Catch::Contains("5 runs a sample"));
+  // 64 groups of sums of 900 numbers.
+  std::string many = product.keys(2, "random", 1);
+  std::string more;
+  for (int i = 0; i < 900; ++i) more += ", n" + std::to_string(i) + ": {last: CSF1}";
+  many.insert(many.rfind('}'), more);
+  CHECK(errors(many) ==
+        "3 varied parameters and 903 collected numbers take 358 MB of sums for Sobol' indices, "
+        "more than 220; vary or collect fewer, or leave out 'sobol_indices'\n");
 }
 
 }  // namespace
