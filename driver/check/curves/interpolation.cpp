@@ -25,6 +25,16 @@ Interval between(const Interpolated& a, const Interpolated& b) {
   return {std::min(a.value, b.value), std::max(a.value, b.value)};
 }
 
+/// Adds a range to a list, to the last of them if the two meet.
+void join(std::vector<Interval>& ranges, const Interval& next) {
+  if (!ranges.empty() &&
+      std::max(next.from, ranges.back().from) <= std::min(next.to, ranges.back().to)) {
+    ranges.back() = {std::min(next.from, ranges.back().from), std::max(next.to, ranges.back().to)};
+  } else {
+    ranges.push_back(next);
+  }
+}
+
 }  // namespace
 
 /// Keeps the value nearest to a wanted one of all that are offered.
@@ -114,20 +124,14 @@ const BranchInterpolation::PlaceValues& BranchInterpolation::gathered(const Plac
   here.to = place.to;
   here.values.clear();
   here.traversed.clear();
+  std::vector<Interval> ranges;
   for (std::size_t i = place.from; i < place.to; ++i) {
-    const double value = row(i).value;
-    here.values.emplace_back(value, i);
-    if (i == place.from || !time_passes(i - 1, i)) continue;
-    const auto [low, high] = between(row(i - 1), row(i));
-    auto& traversed = here.traversed;
-    if (!traversed.empty() &&
-        std::max(low, traversed.back().from) <= std::min(high, traversed.back().to)) {
-      traversed.back() = {std::min(low, traversed.back().from),
-                          std::max(high, traversed.back().to)};
-    } else {
-      traversed.push_back({low, high});
-    }
+    here.values.emplace_back(row(i).value, i);
+    if (i > place.from && time_passes(i - 1, i)) join(ranges, between(row(i - 1), row(i)));
   }
+  std::sort(ranges.begin(), ranges.end(),
+            [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  for (const Interval& range : ranges) join(here.traversed, range);
   std::sort(here.values.begin(), here.values.end());
   return here;
 }
@@ -140,7 +144,11 @@ void BranchInterpolation::offer_place(const Place& place, Nearest& nearest) {
   if (above != here.values.begin()) nearest.offer(row(std::prev(above)->second));
   if (above != here.values.end()) nearest.offer(row(above->second));
   if (nearest.is_met()) return;
-  for (const Interval& range : here.traversed) nearest.offer(range, *nearest.found());
+  // Their ends are values of rows: only the one that holds the wanted value can be nearer.
+  const auto beyond =
+      std::upper_bound(here.traversed.begin(), here.traversed.end(), wanted,
+                       [](double value, const Interval& range) { return value < range.from; });
+  if (beyond != here.traversed.begin()) nearest.offer(*std::prev(beyond), *nearest.found());
 }
 
 /// A rest with the increments that lead to it and away from it: one of them may be at rest in part.

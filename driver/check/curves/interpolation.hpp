@@ -55,7 +55,8 @@ class BranchInterpolation {
     std::size_t from = 0;
     std::size_t to = 0;
   };
-  /// Course of the curve in a place: its values in order, and ranges of values it goes through.
+  /// Course of the curve in a place: its values in order, and the ranges of values it goes through
+  /// while time passes, in order and apart.
   struct PlaceValues {
     std::size_t from = 0;
     std::size_t to = 0;

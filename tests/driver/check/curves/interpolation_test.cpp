@@ -67,6 +67,41 @@ TEST_CASE("a dwell in which time passes goes through the values in between") {
   CHECK(rows_only.at(1.0, 7.5)->value == 5.0);
 }
 
+TEST_CASE("a dwell with jumps goes through what lies between these, however many there are") {
+  constexpr int kRanges = 40000;
+  constexpr int kQuestions = 200000;
+  // From 0 to 1, from 10 to 11 and so on, by turns from both ends; then from 4 to 12 at once.
+  Series dwell;
+  const auto pass = [&](double time, double from, double to) {
+    for (const double part : {0.0, 1.0}) {
+      dwell.abscissa.push_back(1.0);
+      dwell.value.push_back(from + part * (to - from));
+      dwell.time.push_back(time + part);
+    }
+  };
+  for (int i = 0; i < kRanges; ++i) {
+    const double from = 10.0 * (i % 2 == 0 ? i : kRanges - i);
+    pass(i, from, from + 1.0);
+  }
+  pass(kRanges, 4.0, 12.0);
+  BranchInterpolation read(dwell, {0, dwell.value.size() - 1, 1}, 1e-12);
+  CHECK(read.at(1.0, 0.25)->value == 0.25);
+  CHECK(read.at(1.0, 2.0)->value == 1.0);
+  CHECK(read.at(1.0, 3.0)->value == 4.0);
+  CHECK(read.at(1.0, 9.0)->value == 9.0);
+  CHECK(read.at(1.0, 11.5)->value == 11.5);
+  CHECK(read.at(1.0, 13.0)->value == 12.0);
+  CHECK(read.at(1.0, 19.0)->value == 20.0);
+  CHECK(read.at(1.0, -1.0)->value == 0.0);
+  // Each range anew for each question would be 8 10^9.
+  int within = 0;
+  for (int i = 0; i < kQuestions; ++i) {
+    const double wanted = 10.0 * (i % kRanges) + (i < kRanges ? 0.5 : 2.5);
+    within += read.at(1.0, wanted)->value == wanted ? 1 : 0;
+  }
+  CHECK(within == kRanges);
+}
+
 TEST_CASE("near a rest its values count, and those on the way to it") {
   const Series curve{
       {0, 0.8, 1, 1, 1, 1.1, 2}, {30, 20, 20, 0, -10, -12, -12}, {0, 1, 2, 3, 4, 5, 6}};
