@@ -59,9 +59,27 @@ double mean(Samples x) {
   return sum / static_cast<double>(x.size());
 }
 
-/// Pearson's coefficient; NaN, which no comparison prefers, if one of the signals is constant.
-double correlation(Samples f, Samples r) {
-  const double f_mean = mean(f), r_mean = mean(r);
+/// Returns the means of the first samples, of one and more.
+std::vector<double> means_up_to(Samples x) {
+  std::vector<double> means;
+  means.reserve(x.size());
+  double sum = 0.0;
+  for (const double value : x) {
+    sum += value;
+    means.push_back(sum / static_cast<double>(means.size() + 1));
+  }
+  return means;
+}
+
+/// Sums of products of two signals, each less its mean.
+struct Products {
+  double ff = 0.0;
+  double rr = 0.0;
+  double fr = 0.0;
+};
+
+/// Calls nothing, so that the sums stay in registers in a build that hardly optimises, too.
+Products products(Samples f, Samples r, double f_mean, double r_mean) {
   double ff = 0.0, rr = 0.0, fr = 0.0;
   for (std::size_t i = 0; i < f.size(); ++i) {
     const double a = f[i] - f_mean, b = r[i] - r_mean;
@@ -69,6 +87,12 @@ double correlation(Samples f, Samples r) {
     rr += b * b;
     fr += a * b;
   }
+  return {ff, rr, fr};
+}
+
+/// Pearson's coefficient; NaN, which no comparison prefers, if one of the signals is constant.
+double correlation(Samples f, Samples r, double f_mean, double r_mean) {
+  const auto [ff, rr, fr] = products(f, r, f_mean, r_mean);
   const double least = kConstant * kConstant * static_cast<double>(f.size());
   if (!(ff > least && rr > least)) return std::numeric_limits<double>::quiet_NaN();
   return fr / (std::sqrt(ff) * std::sqrt(rr));
@@ -85,19 +109,27 @@ struct Shifted {
 
 Shifted best_shift(Samples f, Samples r) {
   Shifted best{0, false, false, f, r};
-  double highest = correlation(f, r);
+  const std::vector<double> f_means = means_up_to(f), r_means = means_up_to(r);
+  double highest = correlation(f, r, f_means.back(), r_means.back());
   best.correlates = std::isfinite(highest);
   if (!best.correlates) highest = -std::numeric_limits<double>::infinity();
-  const auto attempt = [&](const Shifted& candidate) {
-    const double found = correlation(candidate.f, candidate.r);
+  const auto attempt = [&](const Shifted& candidate, double f_mean, double r_mean) {
+    const double found = correlation(candidate.f, candidate.r, f_mean, r_mean);
     if (!(found > highest + kTie)) return;
     highest = found;
     best = candidate;
   };
   for (std::size_t n = 1; n <= kLargestShift; ++n) {
     const std::size_t rest = f.size() - n;
-    attempt({n, true, true, f.subspan(n), r.first(rest)});
-    attempt({n, false, true, f.first(rest), r.subspan(n)});
+    // In one loop, as neither sum waits for the other.
+    double f_sum = 0.0, r_sum = 0.0;
+    for (std::size_t i = n; i < f.size(); ++i) {
+      f_sum += f[i];
+      r_sum += r[i];
+    }
+    const auto count = static_cast<double>(rest);
+    attempt({n, true, true, f.subspan(n), r.first(rest)}, f_sum / count, r_means[rest - 1]);
+    attempt({n, false, true, f.first(rest), r.subspan(n)}, f_means[rest - 1], r_sum / count);
   }
   return best;
 }
@@ -112,26 +144,26 @@ double magnitude_error(Samples f, Samples r) {
   const std::size_t n = f.size();
   const auto reach =
       static_cast<std::size_t>(std::ceil(kWarpingWindow * static_cast<double>(n))) - 1;
-  // Cell k of row i is column i + k - 1 - reach; the cells at both ends stay out of reach.
-  const std::size_t width = 2 * reach + 3;
-  std::vector<Cell> above(width), row(width);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::fill(row.begin(), row.end(), Cell{});
-    const std::size_t first = i < reach ? reach + 1 - i : 1;
-    const std::size_t last = std::min(width - 2, n + reach - i);
-    for (std::size_t k = first; k <= last; ++k) {
-      const double wanted = r[i + k - 1 - reach];
+  // Along a diagonal, row plus column, no cell waits for another. Row i stands at i + 1; the cells
+  // beside those within reach stay out of it, but for the one before the first of all.
+  std::vector<Cell> now(n + 2), before(n + 2), earlier(n + 2);
+  earlier[0].cost = 0.0;
+  for (std::size_t d = 0; d < 2 * n - 1; ++d) {
+    const std::size_t first =
+        std::max(d < n ? 0 : d - (n - 1), d < reach ? 0 : (d - reach + 1) / 2);
+    const std::size_t last = std::min({d, n - 1, (d + reach) / 2});
+    now[first] = now[last + 2] = Cell{};
+    for (std::size_t i = first; i <= last; ++i) {
+      const double wanted = r[d - i];
       const double apart = std::abs(f[i] - wanted);
-      Cell from{0.0};
-      if (i > 0 || k > first) {
-        const Cell& aside = row[k - 1].cost < above[k + 1].cost ? row[k - 1] : above[k + 1];
-        from = above[k].cost <= aside.cost + kTie ? above[k] : aside;
-      }
-      row[k] = {from.cost + apart * apart, from.apart + apart, from.size + std::abs(wanted)};
+      const Cell& aside = before[i + 1].cost < before[i].cost ? before[i + 1] : before[i];
+      const Cell& from = earlier[i].cost <= aside.cost + kTie ? earlier[i] : aside;
+      now[i + 1] = {from.cost + apart * apart, from.apart + apart, from.size + std::abs(wanted)};
     }
-    std::swap(above, row);
+    std::swap(earlier, before);
+    std::swap(before, now);
   }
-  const Cell& end = above[reach + 1];
+  const Cell& end = before[n];
   return ratio(end.apart, end.size);
 }
 
