@@ -90,19 +90,40 @@ void CycleCounter::remember(const bench::Row& row) {
 }
 
 void CycleCounter::end_cycles(const bench::Row& row) {
+  // Cycles that lie within one increment are all alike, and there may be very many: of more than
+  // these, those between the first and the last few are counted at once.
+  constexpr double kSingly = 16.0;
   const double width = row.step_time - step_time_;
+  const double length = steps_[static_cast<std::size_t>(step_)].length;
+  const auto fraction = [&] {
+    return width > 0.0 ? std::clamp((end_ - step_time_) / width, 0.0, 1.0) : 1.0;
+  };
   while (is_over(row)) {
-    end_cycle(width > 0.0 ? std::clamp((end_ - step_time_) / width, 0.0, 1.0) : 1.0, row);
+    const double more = (row.step_time - end_) / length;
+    end_cycle(fraction(), row);
     ++ends_;
+    if (more > kSingly) {
+      const std::int64_t alike = static_cast<std::int64_t>(more) - 2;
+      ends_ += alike;
+      end_ = static_cast<double>(ends_) * length;
+      for (std::size_t d = 0; d < energies_.size(); ++d) {
+        energies_[d].count += alike;
+        start_[d] = dissipation(d, fraction(), row);
+      }
+    }
     end_ = end_of_next();
   }
+}
+
+double CycleCounter::dissipation(std::size_t index, double fraction, const bench::Row& row) const {
+  const double now = row.definitions[index].dissipation;
+  return fraction == 1.0 ? now : before_[index] + fraction * (now - before_[index]);
 }
 
 void CycleCounter::end_cycle(double fraction, const bench::Row& row) {
   (steps_[static_cast<std::size_t>(row.step)].wave ? waves_ : repeats_) = true;
   for (std::size_t d = 0; d < energies_.size(); ++d) {
-    const double now = row.definitions[d].dissipation;
-    const double end = fraction == 1.0 ? now : before_[d] + fraction * (now - before_[d]);
+    const double end = dissipation(d, fraction, row);
     const double energy = end - start_[d];
     start_[d] = end;
     CycleEnergy& all = energies_[d];

@@ -44,6 +44,8 @@ class CycleCounter {
   double end_of_next() const;
   bool is_over(const bench::Row& row) const;
   void end_cycles(const bench::Row& row);
+  /// Energy dissipated by a definition up to a part of the increment that ends with `row` [F L].
+  double dissipation(std::size_t index, double fraction, const bench::Row& row) const;
   void end_cycle(double fraction, const bench::Row& row);
   void remember(const bench::Row& row);
 

@@ -43,6 +43,44 @@ TEST_CASE("each pass of a repeated step is a cycle") {
   CHECK(cycles.found_by() == "repeated step");
 }
 
+TEST_CASE("cycles that lie within one increment are counted at once") {
+  std::vector<cases::Step> steps;
+  for (const double to : {0.1, 0.0, 0.1}) {
+    steps.push_back(bench::step("slide", 10, 0, history::LinearTo{to}));
+    steps.back().drives.push_back(
+        {cases::kFirstForce + 1, history::Wave{history::WaveShape::kSine, 1.0, 1e-9, 0.0, 0.0}});
+  }
+  const CycleEnergy energy = cycles_of(bench::slider_case(steps)).energies()[0];
+  CHECK(energy.count == 3000000000);
+  CHECK(energy.first == 0.0);
+  CHECK(energy.lowest == 0.0);
+  // 20 N times 1e-10 mm, but for the rounding of the whole energy of some mJ.
+  CHECK(energy.before_last == Approx(2e-9).margin(1e-14));
+  CHECK(energy.last == Approx(2e-9).margin(1e-14));
+  CHECK(energy.highest == Approx(2e-9).margin(1e-14));
+}
+
+TEST_CASE("cycles counted at once have the energies of cycles counted one by one") {
+  const auto energy_at = [](double period, int increments) {
+    cases::Step step = bench::step("slide", increments, 0, history::LinearTo{0.1});
+    step.drives.push_back(
+        {cases::kFirstForce + 1, history::Wave{history::WaveShape::kSine, 1.0, period, 0.0, 0.0}});
+    return cycles_of(bench::slider_case({step})).energies()[0];
+  };
+  for (const double period : {0.001, 0.0017, 0.00123}) {
+    CAPTURE(period);
+    // Increments of 0.1 and of 0.005; slip begins at t = 0.2.
+    const CycleEnergy few = energy_at(period, 10);
+    const CycleEnergy many = energy_at(period, 200);
+    CHECK(few.count == many.count);
+    CHECK(few.first == Approx(many.first).margin(1e-12));
+    CHECK(few.before_last == Approx(many.before_last).epsilon(1e-9));
+    CHECK(few.last == Approx(many.last).epsilon(1e-9));
+    CHECK(few.lowest == Approx(many.lowest).margin(1e-12));
+    CHECK(few.highest == Approx(many.highest).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("the length of a cycle is the longest period, if the others fit into it") {
   cases::Step both = bench::step("cycle", 10, 0, kTriangle, 3.0);
   both.drives.push_back(
