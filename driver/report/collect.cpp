@@ -17,7 +17,6 @@
 #include "driver/report/row_choice.hpp"
 #include "driver/report/thin_trace.hpp"
 #include "driver/results/columns.hpp"
-#include "driver/results/coverage.hpp"
 #include "driver/results/events.hpp"
 #include "driver/results/result_layout.hpp"
 #include "driver/results/summary.hpp"
@@ -60,7 +59,6 @@ struct CaseCollector::State {
         rows(drawn.names.size(), most_rows, drawn.motions),
         detector(the_case),
         summary(the_case),
-        coverage(the_case),
         spans(the_case.definitions.size()),
         regimes(the_case.definitions.size()),
         numbers(drawn.names.size()) {
@@ -88,7 +86,6 @@ struct CaseCollector::State {
   RowChoice rows;
   results::EventDetector detector;
   results::Summary summary;
-  results::Coverage coverage;
   ReportEvents events;
   std::vector<results::RegimeSpans> spans;
   struct Since {
@@ -127,7 +124,6 @@ void CaseCollector::State::note(const results::Event& event, const bench::Row& r
 
 void CaseCollector::State::add(const bench::Row& row) {
   summary.add(row);
-  coverage.add(row);
   const std::span<const results::Event> changes = detector.take(row);
   end = row.time;
   // The corner that an event makes lies between two rows: both stay.
@@ -212,7 +208,7 @@ CaseReport CaseCollector::finish(const std::string& name,
   report.events = state.events.take();
   report.energies = std::move(state.drawn.energies);
   use_energy_unit(report, base::energy_unit(problem.units));
-  for (const results::TableCoverage& table : state.coverage.tables()) {
+  for (const results::TableCoverage& table : state.summary.tables()) {
     report.coverage.push_back(drawn_coverage(table, problem.definitions[table.definition].name));
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -106,6 +107,11 @@ Coverage::Coverage(const cases::Case& problem) : case_(&problem) {
       }
     }
   }
+  by_step_.resize(tables_.size());
+  std::iota(by_step_.begin(), by_step_.end(), std::size_t{0});
+  std::stable_sort(by_step_.begin(), by_step_.end(), [&](std::size_t a, std::size_t b) {
+    return probes_[a].first_step < probes_[b].first_step;
+  });
 }
 
 void Coverage::add_table(const law::TableFunction& function, Use use, std::size_t definition,
@@ -130,25 +136,47 @@ void Coverage::add_table(const law::TableFunction& function, Use use, std::size_
   probes_.push_back({&function, use, first_step, end_step, sense});
 }
 
+void Coverage::go_to(int step) {
+  if (step < step_) {
+    next_ = 0;
+    in_force_.clear();
+  }
+  step_ = step;
+  const auto is_over = [&](std::size_t table) { return probes_[table].end_step <= step; };
+  std::erase_if(in_force_, is_over);
+  for (; next_ < by_step_.size() && probes_[by_step_[next_]].first_step <= step; ++next_) {
+    if (!is_over(by_step_[next_])) in_force_.push_back(by_step_[next_]);
+  }
+}
+
 void Coverage::add(std::span<const bench::Row> rows) {
+  if (tables_.empty()) return;
+  while (!rows.empty()) {
+    const int step = rows.front().step;
+    const auto behind = std::find_if(rows.begin(), rows.end(),
+                                     [&](const bench::Row& row) { return row.step != step; });
+    const auto of_step = static_cast<std::size_t>(behind - rows.begin());
+    if (step != step_) go_to(step);
+    for (const std::size_t table : in_force_) count(rows.first(of_step), table);
+    rows = rows.subspan(of_step);
+  }
+}
+
+void Coverage::count(std::span<const bench::Row> rows, std::size_t which) {
+  const Probe& probe = probes_[which];
+  const std::size_t definition = tables_[which].definition;
   law::Ambient end;
-  for (std::size_t t = 0; t < tables_.size(); ++t) {
-    const Probe& probe = probes_[t];
-    const std::size_t definition = tables_[t].definition;
-    for (const bench::Row& row : rows) {
-      if (row.index == 0 || row.step < probe.first_step || row.step >= probe.end_step) continue;
-      const bench::DefinitionRow& here = row.definitions[definition];
-      if (probe.sense != Sense::kAny && here.backward != (probe.sense == Sense::kBackward)) {
-        continue;
-      }
-      if (probe.function->depends_on_motion()) {
-        end = bench::ambient_of(row.quantities, case_->reference);
-      } else {
-        end.temperature = row.quantities[cases::kTemperatureQuantity];
-        end.fields = bench::fields_of(row.quantities);
-      }
-      count(end, here.update, t);
+  for (const bench::Row& row : rows) {
+    if (row.index == 0) continue;
+    const bench::DefinitionRow& here = row.definitions[definition];
+    if (probe.sense != Sense::kAny && here.backward != (probe.sense == Sense::kBackward)) continue;
+    if (probe.function->depends_on_motion()) {
+      end = bench::ambient_of(row.quantities, case_->reference);
+    } else {
+      end.temperature = row.quantities[cases::kTemperatureQuantity];
+      end.fields = bench::fields_of(row.quantities);
     }
+    count(end, here.update, which);
   }
 }
 

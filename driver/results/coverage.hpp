@@ -44,7 +44,8 @@ struct TableCoverage {
 
 /// Counts the cells that the tables of a run are asked in: those of coefficients (also of a changed
 /// friction, from its step on), internal contact forces and weights, each at the arguments of the
-/// end of the increment. The storage is fixed by the tables; a case without tables costs nothing.
+/// end of the increment. The storage is fixed by the tables; a case without tables costs nothing,
+/// and an increment only what the tables in force then do.
 class Coverage {
  public:
   explicit Coverage(const cases::Case& problem);
@@ -82,11 +83,18 @@ class Coverage {
   };
   void add_table(const law::TableFunction& function, Use use, std::size_t definition,
                  std::string what, int first_step, int end_step, Sense sense = Sense::kAny);
+  /// Makes in_force_ that of a step.
+  void go_to(int step);
+  void count(std::span<const bench::Row> rows, std::size_t table);
   void count(const law::Ambient& end, const law::FrictionUpdate& update, std::size_t table);
 
   const cases::Case* case_;
   std::vector<Probe> probes_;  ///< one for each of tables_
   std::vector<TableCoverage> tables_;
+  std::vector<std::size_t> by_step_;   ///< the tables, ordered by their first step
+  std::size_t next_ = 0;               ///< of by_step_, the first that was not in force yet
+  std::vector<std::size_t> in_force_;  ///< the tables in step_
+  int step_ = -1;                      ///< of the last row
 };
 
 /// An independent as a case writes it: slip_rate, CP1, CU1, field2, ...

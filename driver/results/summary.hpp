@@ -85,6 +85,7 @@ class Summary {
   std::int64_t increments() const { return increments_; }
   double end_time() const { return end_time_; }
   std::span<const DefinitionSummary> definitions() const { return definitions_; }
+  std::span<const TableCoverage> tables() const { return coverage_.tables(); }
 
   /// Returns what happened, in lines indented by two blanks, with the case's units. Four digits.
   std::string text() const;

@@ -95,5 +95,36 @@ TEST_CASE("the table of a changed friction counts from its step on, the old one 
   CHECK(coverage.tables()[1].what == "coefficient of step 'after'");
 }
 
+/// A case whose friction is changed to the same table over slip rate at the start of each step.
+cases::Case changing_case(std::size_t steps, const law::TableFunction& table) {
+  cases::FrictionChange change;
+  change.law = law::TabularCoefficient{table};
+  cases::Step step = bench::step("slide", 1, 0, history::LinearTo{0.1});
+  step.friction_changes.push_back(std::move(change));
+  cases::Case problem = bench::slider_case(std::vector<cases::Step>(steps, step));
+  for (cases::Step& one : problem.steps) {
+    one.friction_changes[0].stick = problem.definitions[0].law.stick;
+  }
+  return problem;
+}
+
+TEST_CASE("an increment is counted without a look at the tables of other steps") {
+  constexpr std::size_t kSteps = 20000;
+  const law::TableFunction table =
+      table_of({{0.1, 0}, {0.2, 10}}, {{law::IndependentKind::kSlipRate}});
+  const cases::Case problem = changing_case(kSteps, table);
+  Coverage coverage(problem);
+  bench::Row row = bench::rows_of(changing_case(1, table)).back();
+  row.step = kSteps - 1;
+  for (int i = 0; i < 1000000; ++i) coverage.add(row);
+  CHECK(coverage.tables().back().increments == 1000000);
+  // Rows of another run may begin anew.
+  row.step = 3;
+  coverage.add(row);
+  for (const std::size_t step : {2U, 3U, 4U}) {
+    CHECK(coverage.tables()[step].increments == (step == 3 ? 1 : 0));
+  }
+}
+
 }  // namespace
 }  // namespace slipbench::driver::results
