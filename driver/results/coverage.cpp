@@ -131,7 +131,10 @@ void Coverage::add_table(const law::TableFunction& function, Use use, std::size_
     cells = cells > kMostCells ? cells : cells * axis.intervals();
     table.axes.push_back(std::move(axis));
   }
-  if (cells <= kMostCells) table.visits.resize(cells);
+  if (cells <= kMostCells - cells_) {
+    table.visits.resize(cells);
+    cells_ += cells;
+  }
   tables_.push_back(std::move(table));
   probes_.push_back({&function, use, first_step, end_step, sense});
 }
@@ -227,7 +230,9 @@ std::string Coverage::text(std::size_t most_lines) const {
   std::string text;
   std::size_t lines = 0;
   std::size_t left = 0;
+  std::size_t uncounted = 0;
   for (const TableCoverage& table : tables_) {
+    if (table.increments > 0 && table.visits.empty()) ++uncounted;
     const std::size_t unvisited = table.unvisited();
     if (table.increments == 0 || (unvisited == 0 && table.outside == 0)) continue;
     if (lines == most_lines) {
@@ -260,6 +265,10 @@ std::string Coverage::text(std::size_t most_lines) const {
     text += line + "\n";
   }
   if (left > 0) text += fmt::format("  {} more table{} like these\n", left, left == 1 ? "" : "s");
+  if (uncounted > 0) {
+    text += fmt::format("  the cells of {} table{} are not counted: more than {} in all\n",
+                        uncounted, uncounted == 1 ? "" : "s", kMostCells);
+  }
   return text;
 }
 

@@ -32,7 +32,7 @@ struct TableCoverage {
       what;  ///< "coefficient", "internal_contact_force", "weights"; with its step if changed
   law::Extrapolation extrapolation = law::Extrapolation::kConstant;
   std::vector<Axis> axes;            ///< in the order of the table's independents
-  std::vector<std::int64_t> visits;  ///< increments in each cell; empty for a table too large
+  std::vector<std::int64_t> visits;  ///< increments in each cell; empty if they are not counted
   std::int64_t increments = 0;       ///< in which the table was in force
   std::int64_t outside = 0;          ///< of them, those outside the table
 
@@ -60,14 +60,15 @@ class Coverage {
 
   std::span<const TableCoverage> tables() const { return tables_; }
 
-  /// A line for each table that has cells never visited, or was asked outside; indented by two
-  /// blanks.
+  /// A line for each table that has cells never visited, or was asked outside, and one for those
+  /// whose cells are not counted; indented by two blanks.
   /// \param most_lines at most so many lines; more tables are counted in one
   std::string text(std::size_t most_lines = 3) const;
   /// All tables; of those with many unvisited cells the first thousand.
   base::json::Value to_json() const;
 
-  /// Cells beyond which a table is only counted along its independents, each for itself.
+  /// Cells of all tables: 8 MB. A table for which none are left is only counted along its
+  /// independents, each for itself.
   static constexpr std::size_t kMostCells = std::size_t{1} << 20U;
 
  private:
@@ -91,6 +92,7 @@ class Coverage {
   const cases::Case* case_;
   std::vector<Probe> probes_;  ///< one for each of tables_
   std::vector<TableCoverage> tables_;
+  std::size_t cells_ = 0;              ///< of all tables, as far as they are counted
   std::vector<std::size_t> by_step_;   ///< the tables, ordered by their first step
   std::size_t next_ = 0;               ///< of by_step_, the first that was not in force yet
   std::vector<std::size_t> in_force_;  ///< the tables in step_

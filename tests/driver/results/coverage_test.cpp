@@ -108,6 +108,36 @@ cases::Case changing_case(std::size_t steps, const law::TableFunction& table) {
   return problem;
 }
 
+/// How often a text stands in another.
+std::size_t count_of(const std::string& what, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST_CASE("cells are counted for as long as all tables together have not too many") {
+  // Blocks of two points each: 1399 cells along the rate, 699 along the force.
+  std::vector<std::vector<double>> rows;
+  for (int i = 0; i < 700; ++i) {
+    rows.push_back({0.1, 2.0 * i, i + 1.0});
+    rows.push_back({0.2, 2.0 * i + 1.0, i + 1.0});
+  }
+  const law::TableFunction table =
+      table_of(rows, {{law::IndependentKind::kSlipRate}, {law::IndependentKind::kContactForce}});
+  const cases::Case problem = changing_case(3, table);
+  const Coverage coverage = coverage_of(problem);
+  REQUIRE(coverage.tables().size() == 3);
+  std::size_t cells = 0;
+  for (const TableCoverage& one : coverage.tables()) cells += one.visits.size();
+  CHECK(cells == 1399 * 699);
+  CHECK(coverage.tables()[2].increments == 1);
+  CHECK(coverage.text().find("the cells of 2 tables are not counted: more than 1048576 in all") !=
+        std::string::npos);
+  CHECK(count_of("cells_listed", coverage.to_json().dump()) == 1);
+}
+
 TEST_CASE("an increment is counted without a look at the tables of other steps") {
   constexpr std::size_t kSteps = 20000;
   const law::TableFunction table =
