@@ -274,6 +274,8 @@ std::string Coverage::text(std::size_t most_lines) const {
 
 base::json::Value Coverage::to_json() const {
   constexpr std::size_t kMostListed = 1000;
+  // A case may have a table for each of its steps: 3 MB of text.
+  std::size_t left = 100 * kMostListed;
   base::json::Value all = base::json::Array{};
   for (const TableCoverage& table : tables_) {
     base::json::Value one;
@@ -299,9 +301,9 @@ base::json::Value Coverage::to_json() const {
       one["cells_never_visited"] = table.unvisited();
       base::json::Value never = base::json::Array{};
       base::json::Value visited = base::json::Array{};
-      std::size_t listed = 0;
-      for (std::size_t cell = 0; cell < table.visits.size() && listed < kMostListed; ++cell) {
-        ++listed;
+      const std::size_t listed = std::min({table.visits.size(), kMostListed, left});
+      left -= listed;
+      for (std::size_t cell = 0; cell < listed; ++cell) {
         if (table.visits[cell] == 0) {
           never.push_back(table.cell_text(cell));
           continue;

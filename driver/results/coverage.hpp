@@ -64,7 +64,7 @@ class Coverage {
   /// whose cells are not counted; indented by two blanks.
   /// \param most_lines at most so many lines; more tables are counted in one
   std::string text(std::size_t most_lines = 3) const;
-  /// All tables; of those with many unvisited cells the first thousand.
+  /// All tables; of each the first thousand cells, as long as these are not too many together.
   base::json::Value to_json() const;
 
   /// Cells of all tables: 8 MB. A table for which none are left is only counted along its

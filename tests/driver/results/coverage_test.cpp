@@ -156,5 +156,17 @@ TEST_CASE("an increment is counted without a look at the tables of other steps")
   }
 }
 
+TEST_CASE("the cells of very many tables are not all named") {
+  std::vector<std::vector<double>> rows;
+  for (int i = 0; i < 1002; ++i) rows.push_back({0.1, 1.0 * i});
+  const cases::Case problem =
+      changing_case(150, table_of(rows, {{law::IndependentKind::kSlipRate}}));
+  const std::string json = Coverage(problem).to_json().dump();
+  CHECK(count_of("\"cells\": 1001", json) == 150);
+  CHECK(count_of("\"cells_listed\": 1000", json) == 100);
+  CHECK(count_of("\"cells_listed\": 0", json) == 50);
+  CHECK(count_of("slip_rate 7 .. 8", json) == 100);
+}
+
 }  // namespace
 }  // namespace slipbench::driver::results
