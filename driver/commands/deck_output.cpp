@@ -17,11 +17,14 @@ tl::expected<DeckOutput, std::string> deck_of_case(const cases::Case& problem,
   const exports::ExportOptions how{!options.part.empty(), options.digits};
   auto deck = exported_case(options.to, problem, written, how);
   if (!deck) return tl::unexpected(std::move(deck.error()));
-  const auto whole =
-      how.behavior_only ? exported_case(options.to, problem, written, {false, how.digits}) : deck;
+  const auto difference_of = [&](const tl::expected<exports::ExportedDeck, std::string>& whole) {
+    return whole ? measured_difference(options.to, problem, written, whole->text)
+                 : tl::unexpected(whole.error());
+  };
   MeasuredDifference difference =
-      whole ? measured_difference(options.to, problem, written, whole->text)
-            : tl::unexpected(whole.error());
+      how.behavior_only
+          ? difference_of(exported_case(options.to, problem, written, {false, how.digits}))
+          : difference_of(deck);
   return DeckOutput{options.output, std::move(*deck), std::move(difference)};
 }
 

@@ -87,19 +87,19 @@ tl::expected<exports::ExportedDeck, std::string> exported_case(
 tl::expected<analysis::ResponseDifference, std::string> measured_difference(
     std::string_view program, const cases::Case& problem, const read::CaseText& written,
     const std::string& deck) {
-  cases::Case other = problem;
   if (program == "table") {
+    cases::Case other = problem;
     drop_changes(other);
     for (cases::CaseDefinition& one : other.definitions) {
       give(exports::law_of_table(deck), written, problem, one.law);
       one.law.force_limit = law::kNoForceLimit;
     }
-  } else {
-    const auto back = read_back(problem, written, deck);
-    if (!back) return tl::unexpected(back.error());
-    other = program == "abaqus" ? *back : with_friction_of(*back, written, problem);
+    return analysis::compare_responses(problem, other);
   }
-  return analysis::compare_responses(problem, other);
+  const auto back = read_back(problem, written, deck);
+  if (!back) return tl::unexpected(back.error());
+  if (program == "abaqus") return analysis::compare_responses(problem, *back);
+  return analysis::compare_responses(problem, with_friction_of(*back, written, problem));
 }
 
 }  // namespace slipbench::driver::commands

@@ -394,6 +394,13 @@ class HostileFiles(InFolder):
         self.in_bounds({"d_0000.rad": many}, "import", "d_0000.rad", "--all", "-o", "rad", code=2, said="more than 100000 records of part pairs together")
         self.in_bounds({}, "import", "d_0000.rad", "--interface", "499", "-o", "rad.yaml")
 
+    def test_a_table_that_many_steps_have_stays_within_bounds_as_a_deck(self):
+        rows = "mu,slip_rate\n" + "".join(f"0.{1 + i % 2},{i}\n" for i in range(50000))
+        change = "change_friction: {}, "
+        table = "&c {friction1: {coefficient: {columns: [mu, slip_rate], csv: d.csv}}}"
+        steps = "".join(STEP.format(name=f"s{i}").replace("motion", change.format("*c" if i else table) + "motion") for i in range(39))
+        self.in_bounds({"d.csv": rows, "c.yaml": SLIDER.format(title="Tables", history=steps)}, "export", "c.yaml", "--to", "abaqus", "-o", "o.inp", said="the deck is not read back")
+
     def test_connectors_that_share_the_steps_of_a_deck_stay_within_bounds(self):
         nodes, rest = SLOT.split("*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n1, 1, 2\n")
         body = rest.split("*AMPLITUDE")[0]

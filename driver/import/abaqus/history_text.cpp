@@ -18,11 +18,10 @@ bool CaseParts::is_mine(const std::string& target) const {
 
 std::string CaseParts::history_text() {
   std::string text = "history:\n";
-  std::vector<Step> steps = model_.steps;
-  if (steps.empty()) {
-    notes_.emplace_back("the deck has no step: the motion is asked for");
-    steps.push_back({.name = "slide", .where = connector_.where});
-  }
+  const bool none = model_.steps.empty();
+  if (none) notes_.emplace_back("the deck has no step: the motion is asked for");
+  const std::vector<Step> asked(none ? 1 : 0, Step{.name = "slide", .where = connector_.where});
+  const std::vector<Step>& steps = none ? asked : model_.steps;
   values_ = initial_;
   driven_ = {};
   moved_ = {};

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -31,6 +32,7 @@ std::vector<Row> read_rows(const KeywordDeck& deck, const Block& block,
   std::vector<Row> rows;
   for (std::size_t i = 0; i < lines.size(); i += lines_of_row) {
     Row row;
+    row.reserve(std::min(lines[i].size(), most));
     bool sound = true;
     for (std::size_t k = i; k < std::min(i + lines_of_row, lines.size()); ++k) {
       // Behind a line that ends early, items of the row's next line keep their places.
