@@ -21,33 +21,33 @@ set key at screen 0.98, screen 1.0 - head - 2.0 / HEIGHT right center horizontal
 # A row reaches from -row to 1 - row; its band lies between these two.
 base(row) = -row + 0.20
 top(row) = -row + 0.58
-mark(d, status, value) = column(1) == d && column(2) == status ? value : NaN
+mark(status, value) = column(2) == status ? value : NaN
 
 do for [i=1:DEFINITIONS] {
   set label i NAME[i] at graph 0.0, first top(i) + 0.30 left font ",14" textcolor rgb ink
-  set label 100+i FACTS[i] at graph 1.0, first top(i) + 0.30 right font ",12" textcolor rgb quiet_text
+  set label DEFINITIONS+i FACTS[i] at graph 1.0, first top(i) + 0.30 right font ",12" textcolor rgb quiet_text
   set object i rectangle from graph 0, first base(i) to graph 1, first top(i) behind \
     fillstyle solid border linecolor rgb edge_colour fillcolor rgb paper
-  set object 100+i rectangle from graph 0, first base(i) to graph 1, first top(i) front \
+  set object DEFINITIONS+i rectangle from graph 0, first base(i) to graph 1, first top(i) front \
     fillstyle empty border linecolor rgb edge_colour
 }
 plot \
   keyentry with boxes fillstyle empty linecolor rgb edge_colour title "stick", \
-  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 2, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
-    with boxxyerror fillstyle solid noborder fillcolor rgb slip_band title (d == 1 ? "slip" : ""), \
-  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 0, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
-    with boxxyerror fillstyle pattern 5 border linecolor rgb open_band fillcolor rgb open_band title (d == 1 && OPENS ? "no friction" : ""), \
-  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 3, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
-    with boxxyerror fillstyle pattern 4 noborder fillcolor rgb slip_band title (d == 1 && TURNS ? "in turn" : ""), \
-  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 4, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
+  $SPANS using (0.5 * (edge($1, 2, $3) + $4)):(0.5 * (base($1) + top($1))):3:4:(base($1)):(top($1)) \
+    with boxxyerror fillstyle solid noborder fillcolor rgb slip_band title "slip", \
+  $SPANS using (0.5 * (edge($1, 0, $3) + $4)):(0.5 * (base($1) + top($1))):3:4:(base($1)):(top($1)) \
+    with boxxyerror fillstyle pattern 5 border linecolor rgb open_band fillcolor rgb open_band title (OPENS ? "no friction" : ""), \
+  $SPANS using (0.5 * (edge($1, 3, $3) + $4)):(0.5 * (base($1) + top($1))):3:4:(base($1)):(top($1)) \
+    with boxxyerror fillstyle pattern 4 noborder fillcolor rgb slip_band title (TURNS ? "in turn" : ""), \
+  $SPANS using (0.5 * (edge($1, 4, $3) + $4)):(0.5 * (base($1) + top($1))):3:4:(base($1)):(top($1)) \
     with boxxyerror fillstyle pattern 4 noborder fillcolor rgb open_band notitle, \
-  for [d=1:DEFINITIONS] $MARKS using (mark(d, 2, $3)):(top(d) + 0.10) with points pointtype 11 pointsize 1 \
-    linecolor rgb ink title (d == 1 ? "slips from here" : ""), \
-  for [d=1:DEFINITIONS] $MARKS using (mark(d, 3, $3)):(top(d) + 0.10) with points pointtype 12 pointsize 1 \
-    linewidth 1.4 linecolor rgb ink title (d == 1 && TURNS_BACK ? "slip turns" : ""), \
-  for [d=1:DEFINITIONS] $MARKS using (mark(d, 1, $3)):(base(d) - 0.09) with points pointtype 8 pointsize 1 linewidth 1.4 \
-    linecolor rgb ink title (d == 1 ? "sticks from here" : ""), \
-  for [d=1:DEFINITIONS] $MARKS using (mark(d, 0, $3)):(base(d) - 0.09) with points pointtype 2 pointsize 1 linewidth 1.4 \
-    linecolor rgb ink title (d == 1 && OPENS ? "no friction from here" : "")
+  $MARKS using (mark(2, $3)):(top($1) + 0.10) with points pointtype 11 pointsize 1 \
+    linecolor rgb ink title "slips from here", \
+  $MARKS using (mark(3, $3)):(top($1) + 0.10) with points pointtype 12 pointsize 1 \
+    linewidth 1.4 linecolor rgb ink title (TURNS_BACK ? "slip turns" : ""), \
+  $MARKS using (mark(1, $3)):(base($1) - 0.09) with points pointtype 8 pointsize 1 linewidth 1.4 \
+    linecolor rgb ink title "sticks from here", \
+  $MARKS using (mark(0, $3)):(base($1) - 0.09) with points pointtype 2 pointsize 1 linewidth 1.4 \
+    linecolor rgb ink title (OPENS ? "no friction from here" : "")
 unset multiplot
 unset output

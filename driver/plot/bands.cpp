@@ -20,6 +20,8 @@ namespace {
 
 /// Marks nearer to each other than this part of the time would cover one another.
 constexpr double kNearest = 0.006;
+/// Of more definitions the first have a band: a case has as many where each is a ring of a belt.
+constexpr int kMostBands = 100;
 
 /// A part of the time, in percent.
 std::string percent(double part, double duration) {
@@ -54,15 +56,16 @@ tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
   const auto data = result_for_plot(options, picture, results::PlotDetail::kForces);
   if (!data) return tl::unexpected(data.error());
   PlotScript script;
-  std::string marks = "0 0 0\n";  // of no definition: an empty block cannot be plotted
+  std::string marks = "0 -1 0\n";  // of no regime: an empty block cannot be plotted
   const double nearest = kNearest * (data->highest[0] - data->lowest[0]);
   int count = 0;
+  int all = 0;
   bool opens = false;
   bool in_turn = false;
   bool turns_back = false;
-  std::string rows = "0 0 0 0\n";
+  std::string rows = "0 -1 0 0\n";
   for (const results::PlotDefinition& definition : data->definitions) {
-    if (definition.status < 0) continue;
+    if (definition.status < 0 || ++all > kMostBands) continue;
     ++count;
     const results::RegimeHistory& regimes = definition.regimes;
     // Of those to slip, which stand above the band, and of the others below.
@@ -105,7 +108,9 @@ tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
   tell_time(script, data->columns[0].unit, data->lowest[0], data->highest[0]);
   script.block("SPANS", std::move(rows));
   script.block("MARKS", std::move(marks));
-  return draw(script, data->title, 170 + 90 * static_cast<std::size_t>(count), *begun);
+  std::string title = data->title;
+  if (all > count) title += fmt::format(" (the first {} of {} definitions)", count, all);
+  return draw(script, title, 170 + 90 * static_cast<std::size_t>(count), *begun);
 }
 
 }  // namespace slipbench::driver::plot

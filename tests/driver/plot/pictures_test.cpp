@@ -138,6 +138,34 @@ TEST_CASE("a picture of a result needs only what it shows") {
   CHECK(picture(folder, plain, "bands") == "exit code 2");
 }
 
+TEST_CASE("the definitions of a result have bands, of very many the first") {
+  if (no_gnuplot()) return;
+  constexpr int kDefinitions = 400;
+  std::string friction = "# title: Many\n# friction: d0 = CSF1.d0";
+  std::string header = "t,CSF1.d0,STATUS.d0";
+  for (int d = 1; d < kDefinitions; ++d) {
+    friction += fmt::format(", d{0} = CSF1.d{0}", d);
+    header += fmt::format(",CSF1.d{0},STATUS.d{0}", d);
+  }
+  std::string text = friction + "\n" + header + "\n";
+  for (int i = 0; i < 300; ++i) {
+    text += std::to_string(i);
+    for (int d = 0; d < kDefinitions; ++d) text += i / 5 % 2 == 0 ? ",1,1" : ",1,2";
+    text += '\n';
+  }
+  const TemporaryFolder folder;
+  const std::string bands = picture(folder, folder.write("a.csv", text), "bands");
+  CHECK(contains(bands, ">Many (the first 100 of 400 definitions)<"));
+  CHECK(contains(bands, ">d99<"));
+  CHECK_FALSE(contains(bands, ">d100<"));
+  // No text of one is that of another.
+  std::size_t facts = 0;
+  for (std::size_t at = bands.find(">slips 50.2 %"); at != std::string::npos; ++facts) {
+    at = bands.find(">slips 50.2 %", at + 1);
+  }
+  CHECK(facts == 100);
+}
+
 /// 12 increments of a sine, with its events within them.
 constexpr const char* kCoarse = R"(slipbench: 1
 title: Coarse
