@@ -105,11 +105,12 @@ std::optional<std::vector<results::RegimeHistory>> read_events(const fs::path& f
   return histories;
 }
 
-/// Takes the sums of a summary whose count of slips is that of the events.
-void take_sums(const yaml::Node& summary, const std::string& name,
-               results::RegimeHistory& history) {
+/// Takes the sums of a summary where its count of slips is that of the events.
+void take_sums(const yaml::Node& summary, results::PlotData& data) {
   const auto list = summary.find("definitions");
   if (!list) return;
+  std::map<std::string_view, results::RegimeHistory*> histories;
+  for (results::PlotDefinition& one : data.definitions) histories.emplace(one.name, &one.regimes);
   for (const yaml::Node node : list->items()) {
     const auto number = [&](std::string_view key) -> std::optional<double> {
       const auto member = node.find(key);
@@ -117,14 +118,17 @@ void take_sums(const yaml::Node& summary, const std::string& name,
       const auto value = base::parse_number(member->text());
       return value ? std::optional(*value) : std::nullopt;
     };
-    const auto own = node.find("name");
-    if (!own || !own->is_scalar() || own->text() != name) continue;
+    const auto name = node.find("name");
+    if (!name || !name->is_scalar()) continue;
+    const auto own = histories.find(name->text());
+    if (own == histories.end()) continue;
+    results::RegimeHistory& history = *own->second;
     const auto slip = number("slip_time");
     const auto open = number("open_time");
     const auto begins = number("stick_slip_events");
     const auto reversals = number("reversals");
-    if (!slip || !open || !begins || !reversals) return;
-    if (std::llround(*begins) != history.slip_begins) return;
+    if (!slip || !open || !begins || !reversals) continue;
+    if (std::llround(*begins) != history.slip_begins) continue;
     history.slip_time = *slip;
     history.open_time = *open;
     history.reversals = std::llround(*reversals);
@@ -150,11 +154,7 @@ bool take_events_beside(const fs::path& result, results::PlotData& data) {
     data.definitions[d].regimes = std::move((*histories)[d]);
   }
   if (!json) return true;
-  const auto summary = json->root().find("summary");
-  if (!summary) return true;
-  for (results::PlotDefinition& definition : data.definitions) {
-    take_sums(*summary, definition.name, definition.regimes);
-  }
+  if (const auto summary = json->root().find("summary")) take_sums(*summary, data);
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -36,11 +37,15 @@ fs::path beside(const fs::path& result, const char* extension) {
   return fs::path(result).replace_extension(extension);
 }
 
+std::optional<double> number_of(const yaml::Node& node) {
+  if (!node.is_scalar()) return std::nullopt;
+  const auto number = base::parse_number(node.text());
+  return number ? std::optional(*number) : std::nullopt;
+}
+
 std::optional<double> number_in(const yaml::Node& node, std::string_view name) {
   const auto member = node.find(name);
-  if (!member || !member->is_scalar()) return std::nullopt;
-  const auto number = base::parse_number(member->text());
-  return number ? std::optional(*number) : std::nullopt;
+  return member ? number_of(*member) : std::nullopt;
 }
 
 double number_or_nan(const yaml::Node& node, std::string_view name) {
@@ -159,10 +164,16 @@ bool is_of_run(const yaml::Node& root, const std::set<std::string>& lines,
   const auto origin = root.find("provenance");
   if (!origin || !origin->is_map()) return true;
   const std::string line = "# case: " + base::printable(text_in(*origin, "case"));
-  const auto parameters = origin->find("parameters");
+  std::map<std::string_view, std::optional<double>> numbers;
+  if (const auto parameters = origin->find("parameters"); parameters && parameters->is_map()) {
+    for (const yaml::Entry one : parameters->entries()) {
+      numbers.emplace(one.key.text(), number_of(one.value));
+    }
+  }
   return lines.contains(base::in_cells(line)) &&
-         std::ranges::all_of(report.parameters, [&](const auto& one) {
-           return parameters && number_in(*parameters, one.first) == one.second;
+         std::all_of(report.parameters.begin(), report.parameters.end(), [&](const auto& one) {
+           const auto number = numbers.find(one.first);
+           return number != numbers.end() && number->second == one.second;
          });
 }
 
@@ -208,16 +219,19 @@ Written add_summary(const fs::path& result, const base::UnitSystem& units,
       report.increments = static_cast<std::int64_t>(std::llround(*count));
     }
     const auto list = summary->find("definitions");
+    std::map<std::string_view, ReportDefinition*> untold;
+    for (ReportDefinition& one : report.definitions) untold.emplace(one.name, &one);
     for (std::size_t i = 0; list && i < list->size(); ++i) {
       const yaml::Node node = (*list)[i];
-      for (ReportDefinition& definition : report.definitions) {
-        if (definition.name != text_in(node, "name")) continue;
-        const auto slip = number_in(node, "slip_time");
-        if (slip && duration > 0.0) definition.slip_share = *slip / duration;
-        const ReportColumn* force = find(report, definition.force);
-        report.summary.push_back(summary_line(node, list->size() > 1, duration,
-                                              force == nullptr ? "" : force->unit, units));
-      }
+      const auto own = untold.find(text_in(node, "name"));
+      if (own == untold.end()) continue;
+      ReportDefinition& definition = *own->second;
+      untold.erase(own);
+      const auto slip = number_in(node, "slip_time");
+      if (slip && duration > 0.0) definition.slip_share = *slip / duration;
+      const ReportColumn* force = find(report, definition.force);
+      report.summary.push_back(summary_line(node, list->size() > 1, duration,
+                                            force == nullptr ? "" : force->unit, units));
     }
   }
   for (std::string& warning : texts_in(root, "warnings")) {

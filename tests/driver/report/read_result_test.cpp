@@ -171,5 +171,47 @@ TEST_CASE("what is no result says why, with its place") {
   CHECK(faulty.report.message.find("b.csv:4: error: ") != std::string::npos);
 }
 
+TEST_CASE("a JSON of very many parameters is compared in time") {
+  const TemporaryFolder folder;
+  std::string in_rows;
+  std::string in_json;
+  for (int i = 0; i < 60000; ++i) {
+    const std::string name = "a" + std::to_string(i);
+    in_rows += (i > 0 ? ", " : "") + name + " = 1";
+    in_json += (i > 0 ? ", \"" : "\"") + name + "\": 1";
+  }
+  const std::string result = folder
+                                 .write("r.csv", "# case: c.yaml\n# parameters: " + in_rows +
+                                                     "\n# friction: s = CSF1\nt,CSF1\n0,1\n1,1\n")
+                                 .string();
+  const auto with_last = [&](const std::string& last) {
+    folder.write("r.json", R"({"provenance": {"case": "c.yaml", "parameters": {)" + in_json + last +
+                               R"(}}, "warnings": ["of this run"]})");
+    return read_result(result, "r").report.warnings;
+  };
+  CHECK(with_last("") == std::vector<std::string>{"of this run"});
+  CHECK(with_last(R"(, "b": 2)") == std::vector<std::string>{"of this run"});
+  in_json.back() = '2';
+  CHECK(with_last("").front().find("it is of another run than the rows") != std::string::npos);
+}
+
+TEST_CASE("a JSON of very many definitions is gone through in time") {
+  const TemporaryFolder folder;
+  constexpr int kDefinitions = 9990;
+  std::string names;
+  std::string summary;
+  for (int i = 0; i < kDefinitions; ++i) {
+    const std::string name = "d" + std::to_string(i);
+    names += (i > 0 ? ", " : "") + name + " = CSF1";
+    summary += (i > 0 ? R"(, {"name": ")" : R"({"name": ")") + name + R"("})";
+  }
+  const std::string result =
+      folder.write("r.csv", "# friction: " + names + "\nt,CSF1\n0,1\n1,1\n").string();
+  folder.write("r.json", R"({"summary": {"end_time": 1, "definitions": [)" + summary + "]}}");
+  const ReadResult read = read_result(result, "r");
+  REQUIRE(read.report.summary.size() == kDefinitions);
+  CHECK(read.report.summary.back().starts_with("d9989: slips 0 % of the time"));
+}
+
 }  // namespace
 }  // namespace slipbench::driver::report
