@@ -29,7 +29,7 @@ tl::expected<results::ResultLayout, PlotFailure> layout_for_plot(const ResultRow
       base::CsvReader::open(rows.file, std::vector<std::string>{"t"}, rows.shown_name);
   if (!opened) return unreadable(rows.shown_name, opened.error());
   results::ResultLayout layout = results::read_layout(rows.file, opened->header());
-  if (std::string fault = results::cut_fault(layout, rows.file); !fault.empty()) {
+  if (std::string fault = results::result_fault(layout, rows.file); !fault.empty()) {
     return unreadable(rows.shown_name,
                       {base::HistoryError::Kind::kInput, rows.shown_name, 0, 0, std::move(fault)});
   }

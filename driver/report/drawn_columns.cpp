@@ -2,6 +2,7 @@
 #include "driver/report/drawn_columns.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "driver/results/plot_data.hpp"
 
@@ -13,14 +14,15 @@ constexpr std::size_t kMostColumns = 24;
 
 class Choice {
  public:
-  explicit Choice(const results::ResultLayout& layout) : layout_(layout) {}
+  explicit Choice(const results::ResultLayout& layout)
+      : layout_(layout), columns_(layout.columns.begin(), layout.columns.end()) {}
 
   DrawnColumns take() && { return std::move(drawn_); }
 
   /// Takes what a picture of friction needs; never left out.
   void take_friction() {
     const results::PlotData plot = results::select_plot_columns(layout_);
-    for (const results::PlotColumn& column : plot.columns) drawn_.names.push_back(column.name);
+    for (const results::PlotColumn& column : plot.columns) add(column.name);
     const auto name = [&](int column) {
       return column < 0 ? std::string() : plot.columns[static_cast<std::size_t>(column)].name;
     };
@@ -73,16 +75,18 @@ class Choice {
     return several_ ? "." + definition.name : "";
   }
 
-  bool has_column(const std::string& name) const {
-    return std::find(layout_.columns.begin(), layout_.columns.end(), name) != layout_.columns.end();
+  bool has_column(const std::string& name) const { return columns_.contains(name); }
+
+  void add(const std::string& name) {
+    drawn_.names.push_back(name);
+    names_.insert(name);
   }
 
   /// The name if the result has such a column and there is room for it, else nothing.
   std::string take(const std::string& name) {
-    std::vector<std::string>& names = drawn_.names;
-    if (std::find(names.begin(), names.end(), name) != names.end()) return name;
-    if (names.size() >= kMostColumns || !has_column(name)) return {};
-    names.push_back(name);
+    if (names_.contains(name)) return name;
+    if (drawn_.names.size() >= kMostColumns || !has_column(name)) return {};
+    add(name);
     return name;
   }
 
@@ -98,7 +102,9 @@ class Choice {
   }
 
   const results::ResultLayout& layout_;
+  std::unordered_set<std::string> columns_;  ///< of the result
   DrawnColumns drawn_;
+  std::unordered_set<std::string> names_;  ///< of the columns in drawn_
   bool several_ = false;
 };
 

@@ -331,14 +331,14 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
   auto opened = base::CsvReader::open(path, std::vector<std::string>{"t"});
   if (!opened) return unreadable(name, opened.error());
   const results::ResultLayout layout = results::read_layout(path, opened->header());
+  if (std::string fault = results::result_fault(layout, path); !fault.empty()) {
+    return unreadable(name, {base::HistoryError::Kind::kInput, path, 0, 0, std::move(fault)});
+  }
   DrawnColumns drawn = drawn_columns(layout);
   if (drawn.definitions.empty()) {
     return unreadable(name, {base::HistoryError::Kind::kInput, path, 0, 0,
                              "has no friction force to draw (a result of 'slipbench run' has a "
                              "line '# friction:')"});
-  }
-  if (std::string fault = results::cut_fault(layout, path); !fault.empty()) {
-    return unreadable(name, {base::HistoryError::Kind::kInput, path, 0, 0, std::move(fault)});
   }
   auto reader = base::CsvReader::open(path, drawn.names);
   if (!reader) return unreadable(name, reader.error());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "driver/base/csv/csv_reader.hpp"
@@ -27,7 +29,9 @@ std::string position_of(const std::string& column) {
 /// Chooses the columns to draw and says what they are of each definition.
 class Selection {
  public:
-  Selection(const ResultLayout& layout, PlotData& data) : layout_(layout), data_(data) {}
+  Selection(const ResultLayout& layout, PlotData& data) : layout_(layout), data_(data) {
+    for (const std::string& name : layout.columns) places_.emplace(name, -1);
+  }
 
   void select(PlotDetail detail) {
     add("t");
@@ -73,19 +77,20 @@ class Selection {
 
  private:
   int add(const std::string& name) {
-    const auto known = std::find_if(data_.columns.begin(), data_.columns.end(),
-                                    [&](const PlotColumn& column) { return column.name == name; });
-    if (known != data_.columns.end()) return static_cast<int>(known - data_.columns.begin());
-    if (std::find(layout_.columns.begin(), layout_.columns.end(), name) == layout_.columns.end()) {
-      return -1;
+    const auto place = places_.find(name);
+    if (place == places_.end()) return -1;
+    if (place->second < 0) {
+      place->second = static_cast<int>(data_.columns.size());
+      const auto unit = layout_.column_units.find(name);
+      data_.columns.push_back({name, unit == layout_.column_units.end() ? "" : unit->second});
     }
-    const auto unit = layout_.column_units.find(name);
-    data_.columns.push_back({name, unit == layout_.column_units.end() ? "" : unit->second});
-    return static_cast<int>(data_.columns.size()) - 1;
+    return place->second;
   }
 
   const ResultLayout& layout_;
   PlotData& data_;
+  /// Of the columns of the result, those among the drawn ones; -1 if it is none yet.
+  std::unordered_map<std::string_view, int> places_;
 };
 
 }  // namespace
@@ -118,7 +123,7 @@ tl::expected<PlotData, base::HistoryError> read_plot_data(const std::filesystem:
   auto opened = base::CsvReader::open(file, std::vector<std::string>{"t"}, shown_name);
   if (!opened) return tl::unexpected(std::move(opened.error()));
   const ResultLayout layout = read_layout(file, opened->header());
-  if (std::string fault = cut_fault(layout, file); !fault.empty()) {
+  if (std::string fault = result_fault(layout, file); !fault.empty()) {
     return tl::unexpected(
         base::HistoryError{base::HistoryError::Kind::kInput, shown_name, 0, 0, std::move(fault)});
   }

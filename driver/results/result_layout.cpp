@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/results/result_layout.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
+#include <set>
 #include <string_view>
 #include <system_error>
 
 #include "driver/base/csv/comment_lines.hpp"
+#include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/base/text/number.hpp"
@@ -121,7 +125,16 @@ ResultLayout read_layout(const std::filesystem::path& file, std::span<const std:
   return layout;
 }
 
-std::string cut_fault(const ResultLayout& layout, const std::filesystem::path& file) {
+std::string result_fault(const ResultLayout& layout, const std::filesystem::path& file) {
+  if (layout.friction.size() > base::kMostColumns) {
+    return fmt::format("its line '# friction:' names {} definitions, at most {} are read",
+                       layout.friction.size(), base::kMostColumns);
+  }
+  std::set<std::string_view> names;
+  for (const FrictionColumns& one : layout.friction) {
+    if (names.insert(one.name).second) continue;
+    return fmt::format("its line '# friction:' names '{}' twice: run the case again", one.name);
+  }
   std::error_code ignored;
   if (layout.friction.empty() || !std::filesystem::is_regular_file(file, ignored)) return {};
   std::ifstream in(file, std::ios::binary);

@@ -42,8 +42,9 @@ ResultLayout layout_of(const cases::Case& problem, std::span<const Column> colum
 /// empty: any CSV has a layout.
 ResultLayout read_layout(const std::filesystem::path& file, std::span<const std::string> header);
 
-/// Returns why a file with this layout is no whole result, in a sentence, or nothing: the last line
-/// of one that was written to its end has a line feed.
-std::string cut_fault(const ResultLayout& layout, const std::filesystem::path& file);
+/// Returns why a file with this layout is no whole result, in a sentence, or nothing: names of
+/// definitions stand once, and are not more than a result may have columns; the last line of one
+/// that was written to its end has a line feed.
+std::string result_fault(const ResultLayout& layout, const std::filesystem::path& file);
 
 }  // namespace slipbench::driver::results

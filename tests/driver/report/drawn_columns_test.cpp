@@ -52,6 +52,12 @@ TEST_CASE("of many definitions coefficients go first, forces and regimes never")
   CHECK(many.energies.empty());
 }
 
+TEST_CASE("the columns of very many definitions are found in time") {
+  const DrawnColumns many = drawn_columns(layout_with(20000));
+  CHECK(many.names.size() == 2 + 3 * 20000);
+  CHECK(many.definitions.back().limit == "FLIM.d20000");
+}
+
 TEST_CASE("a table of no result has nothing to draw") {
   results::ResultLayout layout;
   layout.columns = {"t", "x"};

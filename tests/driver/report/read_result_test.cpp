@@ -169,6 +169,10 @@ TEST_CASE("what is no result says why, with its place") {
       folder.write("b.csv", "# friction: a = CSF1\nt,CSF1\n0,1\n1,one\n").string(), "b");
   CHECK(faulty.code == base::kExitBadInput);
   CHECK(faulty.report.message.find("b.csv:4: error: ") != std::string::npos);
+  const ReadResult twice = read_result(
+      folder.write("c.csv", "# friction: a = CSF1, a = CSF1\nt,CSF1\n0,1\n1,1\n").string(), "c");
+  CHECK(twice.code == base::kExitBadInput);
+  CHECK(twice.report.message.find("names 'a' twice") != std::string::npos);
 }
 
 TEST_CASE("a JSON of very many parameters is compared in time") {

@@ -38,6 +38,21 @@ TEST_CASE("a result says itself what is to be drawn") {
   CHECK(sliding.regimes.spans[0].status == 2);
 }
 
+TEST_CASE("a result names a definition once, and not more than it may have columns") {
+  const TemporaryFolder folder;
+  const auto error_of = [&](const std::string& definitions) {
+    const auto file = folder.write("a.csv", "# friction: " + definitions + "\nt,CSF1\n0,1\n1,2\n");
+    const auto data = read_plot_data(file, "a.csv");
+    return data ? std::string() : data.error().message;
+  };
+  CHECK(error_of("a = CSF1, b = CSF1").empty());
+  CHECK(error_of("a = CSF1, b = CSF1, a = CSF2") ==
+        "its line '# friction:' names 'a' twice: run the case again");
+  std::string many = "d0 = CSF1";
+  for (int d = 1; d <= 10000; ++d) many += ", d" + std::to_string(d) + " = CSF1";
+  CHECK(error_of(many) == "its line '# friction:' names 10001 definitions, at most 10000 are read");
+}
+
 TEST_CASE("a ring is drawn over its own flow where the result has it") {
   const TemporaryFolder folder;
   const auto file =
