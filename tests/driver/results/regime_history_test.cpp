@@ -56,5 +56,18 @@ TEST_CASE("a run that chatters keeps its sums but not all of its marks") {
   CHECK(history.spans.size() <= 1600);
 }
 
+TEST_CASE("marks are thinned where times do not rise, too") {
+  for (const double step : {0.0, -1.0}) {
+    CAPTURE(step);
+    RegimeRecorder recorder;
+    recorder.begin(1, 0.0);
+    for (int i = 1; i <= 200000; ++i) recorder.change(i % 2 == 0 ? 1 : 2, step * i);
+    const RegimeHistory history = recorder.end(step * 200000);
+    CHECK(history.marks.size() <= 4000);
+    CHECK(history.marks.size() > 500);
+    CHECK_FALSE(history.all_marked);
+  }
+}
+
 }  // namespace
 }  // namespace slipbench::driver::results
