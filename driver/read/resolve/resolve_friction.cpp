@@ -704,7 +704,8 @@ class Resolver {
     name.node = contact.node;
     name.path = contact.path;
     const law::DerivedComponent* component = derived(name);
-    if (component == nullptr) return;
+    // More definitions than components are refused in the end: no copy for each of them.
+    if (component == nullptr || text_.friction.value.size() > law::kComponents) return;
     d.contact_force = *component;
   }
 

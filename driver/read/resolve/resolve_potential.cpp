@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/read/resolve/resolve_potential.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "driver/base/text/format_number.hpp"
@@ -12,6 +15,10 @@
 
 namespace slipbench::driver::read {
 namespace {
+
+/// Terms that a potential, and each derived component in it, may have: those of six components,
+/// each of which enters once, are far fewer. All of a derived component is copied for each use.
+constexpr std::size_t kMostTerms = 50;
 
 /// Returns what a term is of, where that can be said.
 std::optional<law::PotentialContribution> contribution(
@@ -46,6 +53,13 @@ std::optional<law::PotentialContribution> contribution(
   }
   const law::DerivedComponent* component = text.derived.sound ? derived(text.derived) : nullptr;
   if (component == nullptr) return std::nullopt;
+  if (component->size() > kMostTerms) {
+    binder.error(*text.derived.node, text.derived.path,
+                 fmt::format("a derived component of a potential has at most {} terms, '{}' has {}",
+                             kMostTerms, base::printable(text.derived.value), component->size()),
+                 "each component of the connector enters once");
+    return std::nullopt;
+  }
   result.of = *component;
   return result;
 }
@@ -145,7 +159,16 @@ ResolvedPotential resolve_potential(
   }
   std::vector<law::PotentialContribution> contributions;
   std::vector<const yaml::At<PotentialTermText>*> terms;
-  for (const yaml::At<PotentialTermText>& term : potential.terms.value) {
+  std::span<const yaml::At<PotentialTermText>> stated = potential.terms.value;
+  if (stated.size() > kMostTerms) {
+    binder.error(
+        *potential.terms.node, potential.terms.path,
+        fmt::format("a potential has at most {} terms, found {}", kMostTerms, stated.size()),
+        "each component of the connector enters once");
+    result.components_known = false;
+    stated = {};
+  }
+  for (const yaml::At<PotentialTermText>& term : stated) {
     auto read = contribution(binder, term, derived);
     if (!read) {
       result.components_known = false;

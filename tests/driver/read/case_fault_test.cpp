@@ -643,5 +643,27 @@ TEST_CASE("A list whose items would fill the memory is refused") {
   CHECK_THAT(found[0], Catch::Contains("friction: 60001 items, at most "));
 }
 
+TEST_CASE("A potential has few terms, and so has a derived component in it") {
+  std::string terms;
+  std::string parts;
+  for (int i = 0; i < 1000; ++i) {
+    terms += "{component: 1}, ";
+    parts += "    - {operator: norm, components: [2, 3]}\n";
+  }
+  const Change many_parts{"  normal:\n", "  normal:\n" + parts};
+  CHECK(messages(changed({{"terms: [", "terms: [" + terms}})) ==
+        std::vector<std::string>{"14:14: error: friction[0].potential.terms: a potential has at "
+                                 "most 50 terms, found 1002; each component of the connector "
+                                 "enters once"});
+  CHECK(messages(changed({many_parts, {"{component: 1}", "{derived: normal}"}})) ==
+        std::vector<std::string>{"1014:25: error: friction[0].potential.terms[0].derived: a "
+                                 "derived component of a potential has at most 50 terms, 'normal' "
+                                 "has 1002; each component of the connector enters once"});
+  // A contact force is one copy of them, and any number may make sense.
+  const cases::Case problem = sound(changed({many_parts}));
+  const auto& contact = problem.definitions[0].law.contact_force;
+  CHECK(std::get<law::DerivedComponent>(contact).size() == 1002);
+}
+
 }  // namespace
 }  // namespace slipbench::driver::read
