@@ -78,19 +78,24 @@ SnapBack snap_back(const FrictionDefinition& definition) {
   double slip = 0.0;
   result.fall = -wear.table().steepest_fall(column, 0, &slip);
   result.slip = cell_from(wear.table(), column, slip);
-  result.growth = largest_growth(definition.law);
-  if (const auto* law = std::get_if<TabularCoefficient>(&definition.law)) {
-    const int contact = law->table.column_of(IndependentKind::kContactForce);
+  result.along = least_square_of_normal(definition);
+  return changed_snap_back(result, definition.law, definition.stick.value);
+}
+
+SnapBack changed_snap_back(const SnapBack& before, const FrictionLaw& law, double stiffness) {
+  SnapBack result = before;
+  result.growth = largest_growth(law);
+  result.contact.reset();
+  if (const auto* tabular = std::get_if<TabularCoefficient>(&law)) {
+    const int contact = tabular->table.column_of(IndependentKind::kContactForce);
     if (contact >= 0) {
       double force = 0.0;
-      law->table.table().largest_growth(contact, 0, &force);
-      result.contact = cell_from(law->table.table(), contact, force);
+      tabular->table.table().largest_growth(contact, 0, &force);
+      result.contact = cell_from(tabular->table.table(), contact, force);
     }
   }
-  if (std::isfinite(result.growth)) {
-    result.along = least_square_of_normal(definition);
-    result.ratio = result.growth * result.fall / (result.along * definition.stick.value);
-  }
+  const bool bounded = std::isfinite(result.growth);
+  result.ratio = bounded ? result.growth * result.fall / (result.along * stiffness) : 0.0;
   return result;
 }
 

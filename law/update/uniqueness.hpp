@@ -30,6 +30,9 @@ struct SnapBack {
   std::optional<CellRange> contact;  ///< where it grows so [F], of a table over the contact force
 };
 SnapBack snap_back(const FrictionDefinition& definition);
+/// The same after a change of law and stick stiffness, which leaves `fall` as it is: the table of
+/// wear, which may be long, is not walked through again.
+SnapBack changed_snap_back(const SnapBack& before, const FrictionLaw& law, double stiffness);
 
 /// The increments that decide what backward Euler makes of a coefficient that falls with the slip
 /// rate (theory 11.4, 14.9). Both are 0 where they decide nothing: where the

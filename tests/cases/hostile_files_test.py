@@ -265,6 +265,13 @@ class HostileFiles(InFolder):
         self.refused_in_time(f"slipbench: 1\nsweep: {{case: given.yaml, samples: 2, sampler: lhs, vary: {{{vary}}}, collect: {{{collect}}}}}\n",
                              "400 varied parameters and 400 collected numbers have more than 100000 correlations", command=("sweep", "{}", "--no-output"))
 
+    def test_no_step_of_a_case_takes_a_walk_through_all_that_stands_before_it(self):
+        wear = ", ".join(f"[{9 + i % 2}, {i}]" for i in range(40000))
+        changes = "".join(f"  - {{step: s{i}, increments: 1, change_friction: {{friction1: {{coefficient: 0.3}}}}}}\n" for i in range(16000))
+        worn = SLIDER.format(title="Worn", history=STEP.format(name="a") + changes).replace(
+            "predefined: {}", f"component: 1, internal_contact_force: {{columns: [F, accumulated_slip], rows: [{wear}]}}")
+        self.refused_in_time(worn, "16010 increments", code=0)
+
     def test_long_formulas_are_compiled_in_time(self):
         formula = "= 100" + "+0*t" * 2400
         self.write("case.yaml", SLIDER.format(title="Formulas", history="".join(STEP.format(name=f"s{i}").replace("100}", f'"{formula}"}}') for i in range(20))))

@@ -11,6 +11,7 @@
 #include "driver/read/keys/case_text.hpp"
 #include "driver/yaml/binding.hpp"
 #include "law/definition/friction_definition.hpp"
+#include "law/update/uniqueness.hpp"
 
 namespace slipbench::driver::read {
 
@@ -66,5 +67,9 @@ law::StickStiffness stick_stiffness(yaml::Binder& binder, const yaml::At<StickTe
 /// that asks for jumps knows.
 void warn_of_snap_back(yaml::Binder& binder, const law::FrictionDefinition& definition,
                        const CaseText& text, const yaml::Node& node, const yaml::Path& path);
+/// The same where it is known already, of a definition with this law and stick stiffness.
+void warn_of_snap_back(yaml::Binder& binder, const law::SnapBack& snap, const law::FrictionLaw& law,
+                       double stiffness, const CaseText& text, const yaml::Node& node,
+                       const yaml::Path& path);
 
 }  // namespace slipbench::driver::read

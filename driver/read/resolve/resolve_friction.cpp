@@ -14,7 +14,6 @@
 #include "driver/read/resolve/resolve_definition.hpp"
 #include "driver/read/resolve/resolve_formulation.hpp"
 #include "driver/read/resolve/resolve_potential.hpp"
-#include "law/update/uniqueness.hpp"
 
 namespace slipbench::driver::read {
 namespace {
@@ -187,13 +186,18 @@ law::StickStiffness stick_stiffness(yaml::Binder& binder, const yaml::At<StickTe
 
 void warn_of_snap_back(yaml::Binder& binder, const law::FrictionDefinition& d, const CaseText& text,
                        const yaml::Node& node, const yaml::Path& path) {
-  const law::SnapBack snap = law::snap_back(d);
+  warn_of_snap_back(binder, law::snap_back(d), d.law, d.stick.value, text, node, path);
+}
+
+void warn_of_snap_back(yaml::Binder& binder, const law::SnapBack& snap, const law::FrictionLaw& law,
+                       double stiffness, const CaseText& text, const yaml::Node& node,
+                       const yaml::Path& path) {
   if (snap.ratio < 1.0 || text.integration.snap_back.value == cases::SnapBackAction::kJump) return;
   const auto cell = [](const law::CellRange& range) {
     return base::format_number(range.begin) + " .. " + base::format_number(range.end);
   };
   const bool uneven = snap.along != 1.0;
-  const std::string stick = base::format_number(d.stick.value);
+  const std::string stick = base::format_number(stiffness);
   std::string message = fmt::format(
       "wear may fall faster than the stick stiffness can follow (snap-back): mu |F'| / {} = {} * "
       "{} "
@@ -202,7 +206,7 @@ void warn_of_snap_back(yaml::Binder& binder, const law::FrictionDefinition& d, c
       uneven ? fmt::format("({:.6g} * {})", snap.along, stick) : stick, snap.ratio,
       cell(snap.slip));
   if (snap.contact) message += " at contact_force = " + cell(*snap.contact);
-  if (law::depends_on_contact_force(d.law)) message += "; mu stands for d(mu F_N)/dF_N";
+  if (law::depends_on_contact_force(law)) message += "; mu stands for d(mu F_N)/dF_N";
   if (uneven) message += "; |m|^2 is the least of the potential, where its terms slip together";
   binder.warning(
       node, path, message + "; a run that meets 1 or more ends there",

@@ -21,8 +21,10 @@ class Changes {
  public:
   Changes(yaml::Binder& binder, const CaseText& text, bool definitions_known, cases::Case& out)
       : binder_(binder), text_(text), known_(definitions_known), out_(out) {
-    for (const cases::CaseDefinition& definition : out.definitions)
+    for (const cases::CaseDefinition& definition : out.definitions) {
       in_force_.push_back(definition.law);
+      worn_.push_back(law::snap_back(definition.law));
+    }
     ever_changed_.resize(in_force_.size(), false);
   }
 
@@ -227,13 +229,14 @@ class Changes {
           given ? "" : "'force_limit: 0' takes it away");
       return false;
     }
+    const law::SnapBack& worn = worn_[result.definition];
+    if (!(worn.fall > 0.0)) return true;
     // While one coefficient turns into the other, d(mu F_N)/dF_N lies between theirs.
-    law::FrictionDefinition worst = before;
-    worst.stick = result.stick;
-    if (index_ == 0 || law::largest_growth(result.law) >= law::largest_growth(before.law)) {
-      worst.law = result.law;
-    }
-    warn_of_snap_back(binder_, worst, text_, *change.node, change.path);
+    const bool grows =
+        index_ == 0 || law::largest_growth(result.law) >= law::largest_growth(before.law);
+    const law::FrictionLaw& worst = grows ? result.law : before.law;
+    warn_of_snap_back(binder_, law::changed_snap_back(worn, worst, result.stick.value), worst,
+                      result.stick.value, text_, *change.node, change.path);
     return true;
   }
 
@@ -265,6 +268,7 @@ class Changes {
   cases::Case& out_;
   std::size_t index_ = 0;
   std::vector<law::FrictionDefinition> in_force_;  ///< at the end of the steps so far
+  std::vector<law::SnapBack> worn_;                ///< of the definitions as they are written
   std::vector<bool> ever_changed_;
   bool warned_ = false;                  ///< of a law that sees two units
   std::vector<std::string> changed_by_;  ///< in this step

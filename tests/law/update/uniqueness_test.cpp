@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "law/friction/law_list.hpp"
+
 namespace slipbench::law {
 namespace {
 
@@ -30,6 +32,41 @@ TEST_CASE("the snap-back ratio is beta = mu c / k of linear wear") {
   CHECK(snap.slip.begin == 0.0);
   CHECK(snap.slip.end == 1.0);
   CHECK_FALSE(snap.contact);
+}
+
+TEST_CASE(
+    "a change of law and stiffness changes the snap-back ratio as if it had been there before") {
+  const std::vector<std::vector<double>> rows{{0.1, 1}, {0.3, 2}, {0.2, 4}};
+  TabularCoefficient over_force;
+  TableError error;
+  Table table;
+  REQUIRE(Table::build(rows, 1, 1, Extrapolation::kConstant, &table, &error));
+  over_force.table = TableFunction(table, {{IndependentKind::kContactForce, 0}});
+  Potential potential;
+  potential.parts = 2;
+  potential.combine = PotentialOperator::kMax;
+  // Without a bound over all forces there is no ratio, before the change or after it.
+  GeneralizedViscous unbounded;
+  unbounded.c1 = 1.0;
+  for (const FrictionLaw& first : {FrictionLaw(ConstantCoefficient{0.2}), FrictionLaw(unbounded)}) {
+    for (const FrictionLaw& second :
+         {FrictionLaw(over_force), FrictionLaw(ConstantCoefficient{7.0}), FrictionLaw(unbounded)}) {
+      FrictionDefinition definition = wearing();
+      definition.criterion = potential;
+      definition.law = first;
+      const SnapBack changed = changed_snap_back(snap_back(definition), second, 30.0);
+      definition.law = second;
+      definition.stick.value = 30.0;
+      const SnapBack wanted = snap_back(definition);
+      CHECK(changed.growth == wanted.growth);
+      CHECK(changed.fall == wanted.fall);
+      CHECK(changed.along == wanted.along);
+      CHECK(changed.ratio == wanted.ratio);
+      CHECK(changed.slip.end == wanted.slip.end);
+      REQUIRE(changed.contact.has_value() == wanted.contact.has_value());
+      if (wanted.contact) CHECK(changed.contact->begin == wanted.contact->begin);
+    }
+  }
 }
 
 TEST_CASE("a potential whose terms slip together has a softer spring along its normal") {
