@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 #include <string>
@@ -73,6 +75,7 @@ class Changes {
       }
       if (stick) result.stick = *stick;
       if (!result_is_possible(change, before, result)) continue;
+      if (reset && !has_room_for(own.law, text.reset)) return;
       if (reset && index_ > 0 && !ever_changed_[definition]) {
         binder_.warning(*text.reset.node, text.reset.path,
                         "nothing to reset: no earlier step changes the friction of '" +
@@ -240,6 +243,21 @@ class Changes {
     return true;
   }
 
+  /// Counts the rows of tables that resets bring back, each time as a copy. Returns false, the
+  /// first time after an error, once they are more than all tables of a case may have from files.
+  bool has_room_for(const law::FrictionLaw& own, const yaml::At<bool>& reset) {
+    const auto* tabular = std::get_if<law::TabularCoefficient>(&own);
+    if (tabular == nullptr || rows_ > yaml::Binder::kMostTableRows) return tabular == nullptr;
+    rows_ += tabular->table.table().rows();
+    if (rows_ <= yaml::Binder::kMostTableRows) return true;
+    binder_.error(*reset.node, reset.path,
+                  fmt::format("with this the resets of the case bring back more than {} rows of "
+                              "tables",
+                              yaml::Binder::kMostTableRows),
+                  "let fewer steps reset, or give the table fewer rows");
+    return false;
+  }
+
   /// One number for a force over a length and for a moment over an angle.
   void warn_mixed_units(const yaml::Named<FrictionChangeText>& change,
                         const std::vector<std::size_t>& meant) {
@@ -270,6 +288,7 @@ class Changes {
   std::vector<law::FrictionDefinition> in_force_;  ///< at the end of the steps so far
   std::vector<law::SnapBack> worn_;                ///< of the definitions as they are written
   std::vector<bool> ever_changed_;
+  std::size_t rows_ = 0;                 ///< that resets have brought back
   bool warned_ = false;                  ///< of a law that sees two units
   std::vector<std::string> changed_by_;  ///< in this step
 };

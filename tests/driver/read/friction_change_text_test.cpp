@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // change_friction as it is written: what it means, and what it must not say.
 #include <catch2/catch.hpp>
+#include <string>
+#include <vector>
 
 #include "tests/driver/read/read_for_test.hpp"
 
@@ -155,6 +157,25 @@ TEST_CASE("test data must fall, and fit no force limit") {
         std::string::npos);
   CHECK(fault("mu1: 0.3, mu2: 0.2, rate2: 1", "\n    force_limit: 3") ==
         "17:18: error: friction[0].force_limit: exponential decay takes no force limit");
+}
+
+TEST_CASE("resets bring back so many rows of tables, each a copy, as the memory has room for") {
+  std::string table = "coefficient: {columns: [mu, slip_rate], rows: [";
+  for (int i = 0; i < 40000; ++i) table += "[0.1, " + std::to_string(i) + "], ";
+  std::string steps;
+  for (int i = 0; i < 60; ++i) {
+    steps += "  - {step: s" + std::to_string(i) +
+             ", increments: 1, change_friction: {sleeve: {reset: true}}}\n";
+  }
+  std::vector<std::string> errors =
+      messages(changed({{"coefficient: = mu", table + "]}"}, {"checks:", steps + "checks:"}}));
+  std::erase_if(errors, [](const std::string& message) {
+    return message.find(": error: ") == std::string::npos;
+  });
+  REQUIRE(errors.size() == 1);
+  CHECK_THAT(errors[0], Catch::Contains("history[51].change_friction.sleeve.reset: with this the "
+                                        "resets of the case bring back more than 2000000 rows of "
+                                        "tables; let fewer steps reset"));
 }
 
 }  // namespace
