@@ -284,9 +284,11 @@ class TreeBuilder : public YAML::EventHandler {
     return from.substr(record.begin, record.count);
   }
 
-  // The path of the element that is being read in frame `depth` - 1.
+  // The path of the element that is being read in frame `depth` - 1, as far as it will be shown:
+  // its keys may be long.
   [[nodiscard]] Path path_to(std::size_t depth) const {
     Path path;
+    if (is_flooded()) return path;
     for (std::size_t i = 0; i < depth; ++i) {
       const Frame& frame = frames_[i];
       const std::size_t end = pending_end(i);
@@ -392,23 +394,23 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void check_key(const NodeRecord& key, bool is_alias) {
-    const std::string path = path_to(frames_.size() - 1).text();
+    const auto path = [&] { return path_to(frames_.size() - 1).text(); };
     if (is_alias) {
-      error(key.offset, alias_length(key.offset), path, "an alias cannot be a key");
+      error(key.offset, alias_length(key.offset), path(), "an alias cannot be a key");
     } else if (key.kind == NodeKind::kNull && key.count == 0 &&
                text_.substr(key.offset).starts_with(',')) {
       // The library reports both halves of ", ,": said once is enough.
-      error(key.offset, 1, path, "nothing stands before this ','");
+      error(key.offset, 1, path(), "nothing stands before this ','");
     } else if (key.kind == NodeKind::kNull && key.count == 0 &&
                text_.substr(key.offset).starts_with(':')) {
-      error(key.offset, 1, path, "nothing stands before this ':'", "a key is wanted");
+      error(key.offset, 1, path(), "nothing stands before this ':'", "a key is wanted");
     } else if (key.kind != NodeKind::kScalar) {
-      error(key.offset, 1, path,
+      error(key.offset, 1, path(),
             fmt::format("{} cannot be a key",
                         key.kind == NodeKind::kNull ? "a null" : name_of(key.kind)),
             "write a word");
     } else if (!key.quoted && text_of(key) == "<<") {
-      error(key.offset, 2, path, "the merge key '<<' is not accepted", "write the keys out");
+      error(key.offset, 2, path(), "the merge key '<<' is not accepted", "write the keys out");
     }
   }
 

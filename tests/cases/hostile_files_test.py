@@ -272,6 +272,12 @@ class HostileFiles(InFolder):
             "predefined: {}", f"component: 1, internal_contact_force: {{columns: [F, accumulated_slip], rows: [{wear}]}}")
         self.refused_in_time(worn, "16010 increments", code=0)
 
+    def test_keys_below_long_ones_are_read_in_time(self):
+        # Behind keys of 60 kB in all, those that are sound and those that are not.
+        for key, words in (("a{}", "missing key 'connector'"), ("[a{}]", "a list cannot be a key")):
+            inner = ", ".join(key.format(i) + ": 1" for i in range(250000))
+            self.refused_in_time("slipbench: 1\nx: " + ("{" + "k" * 1000 + ": ") * 60 + "{" + inner + "}" * 61 + "\n", words, longest=2000000)
+
     def test_long_formulas_are_compiled_in_time(self):
         formula = "= 100" + "+0*t" * 2400
         self.write("case.yaml", SLIDER.format(title="Formulas", history="".join(STEP.format(name=f"s{i}").replace("100}", f'"{formula}"}}') for i in range(20))))
