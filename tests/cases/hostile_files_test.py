@@ -434,6 +434,12 @@ class HostileFiles(InFolder):
         self.in_bounds({"d.inp": nodes + "*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n1, 1, 2\n" + body.replace(", ELASTIC SLIP=0.002", "") + changes}, "import", "d.inp", "-o", "changes.yaml")
         self.in_bounds({"d.inp": "*PARAMETER\na=1" + "**" * 470000 + "\n" + nodes}, "import", "d.inp", code=2)
 
+    def test_no_step_of_a_deck_takes_a_walk_through_an_amplitude(self):
+        head, tail = SLOT.split("*AMPLITUDE")
+        amplitude = "*AMPLITUDE, NAME=A, TIME=TOTAL TIME, DEFINITION=EQUALLY SPACED, FIXED INTERVAL=1.\n" + "1,2,3,4,5,6,7,8\n" * 62500
+        steps = "*STEP\n*STATIC\n1.,1.\n*CONNECTOR MOTION, AMPLITUDE=A\nPIN, 1, 0.5\n*END STEP\n" + "*STEP\n*STATIC\n1.,1.\n*END STEP\n" * 14000
+        self.in_bounds({"slot.inp": head + amplitude + steps}, "import", "slot.inp", "-o", "slot.yaml", said="kept: 14001 steps")
+
     def test_a_file_that_many_steps_read_is_bounded(self):
         rows = "t,x\n" + "".join(f"{i},{i * 1e-6}\n" for i in range(40000))
         motion = "motion: &m {CP1: {csv: d.csv, time: t, value: x, begins: 39997}}"

@@ -19,27 +19,65 @@ namespace {
 
 using Points = std::vector<std::pair<double, double>>;  ///< time, value
 
-/// The value of a polyline, constant outside of it.
-double value_at(const Points& points, double time) {
-  if (time <= points.front().first) return points.front().second;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto& [t1, v1] = points[i];
-    if (time > t1) continue;
-    const auto& [t0, v0] = points[i - 1];
-    return t1 == t0 ? v1 : v0 + (v1 - v0) * ((time - t0) / (t1 - t0));
-  }
-  return points.back().second;
-}
+/// An amplitude that is a polyline, constant outside of it; a deck may have thousands of steps,
+/// each of which sees a part.
+class Polyline {
+ public:
+  /// \param begin total time at which the step begins
+  Polyline(const Amplitude& amplitude, double begin)
+      : amplitude_(amplitude),
+        spaced_(amplitude.kind == Amplitude::Kind::kEquallySpaced),
+        before_(amplitude.total_time ? begin : 0.0) {}
 
-/// Cuts a polyline to 0 .. period, whose ends it gets.
-Points covering(const Points& points, double period) {
-  Points cut{{0.0, value_at(points, 0.0)}};
-  for (const auto& point : points) {
-    if (point.first > 0.0 && point.first < period) cut.push_back(point);
+  std::size_t size() const { return amplitude_.numbers.size() / (spaced_ ? 1 : 2); }
+
+  /// Cuts it to 0 .. period of the step, whose ends it gets.
+  Points covering(double period) const {
+    Points cut{{0.0, value_at(0.0)}};
+    for (std::size_t i = first([&](double t) { return t > 0.0; }); i < size() && time(i) < period;
+         ++i) {
+      cut.emplace_back(time(i), value(i));
+    }
+    cut.emplace_back(period, value_at(period));
+    return cut;
   }
-  cut.emplace_back(period, value_at(points, period));
-  return cut;
-}
+
+ private:
+  double time(std::size_t i) const {
+    return (spaced_ ? amplitude_.begin + static_cast<double>(i) * amplitude_.interval
+                    : amplitude_.numbers[2 * i]) -
+           before_;
+  }
+  double value(std::size_t i) const { return amplitude_.numbers[spaced_ ? i : 2 * i + 1]; }
+
+  /// The first point whose time is one of those that `has_come` holds for, from some time on.
+  template <class HasCome>
+  std::size_t first(const HasCome& has_come) const {
+    std::size_t low = 0;
+    for (std::size_t high = size(); low < high;) {
+      const std::size_t middle = low + (high - low) / 2;
+      if (has_come(time(middle))) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    return low;
+  }
+
+  double value_at(double when) const {
+    const std::size_t i = first([&](double t) { return t >= when; });
+    if (i == 0) return value(0);
+    if (i == size()) return value(i - 1);
+    const double t0 = time(i - 1);
+    const double t1 = time(i);
+    return value(i - 1) + (value(i) - value(i - 1)) * ((when - t0) / (t1 - t0));
+  }
+
+  const Amplitude& amplitude_;
+  bool spaced_;
+  double before_;
+};
 
 std::string table_text(const std::string& name, const Points& points) {
   std::string rows;
@@ -48,26 +86,6 @@ std::string table_text(const std::string& name, const Points& points) {
         fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", number_text(value), number_text(time));
   }
   return fmt::format("{{columns: [{}, t], rows: [{}]}}", name, rows);
-}
-
-/// The points of an amplitude that is a polyline.
-Points points_of(const Amplitude& amplitude, double begin) {
-  Points points;
-  const std::vector<double>& numbers = amplitude.numbers;
-  if (amplitude.kind == Amplitude::Kind::kEquallySpaced) {
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      points.emplace_back(amplitude.begin + static_cast<double>(i) * amplitude.interval,
-                          numbers[i]);
-    }
-  } else {
-    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
-      points.emplace_back(numbers[i], numbers[i + 1]);
-    }
-  }
-  if (amplitude.total_time) {
-    for (auto& point : points) point.first -= begin;
-  }
-  return points;
 }
 
 /// A formula of an amplitude over the time of the step: "(t - 0.5)" is its time. Nothing where it
@@ -244,11 +262,11 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
   const bool polyline = amplitude->kind == Amplitude::Kind::kTabular ||
                         amplitude->kind == Amplitude::Kind::kEquallySpaced;
   if (polyline) {
-    Points points = points_of(*amplitude, begin);
-    if (points.empty()) {
+    const Polyline whole(*amplitude, begin);
+    if (whole.size() == 0) {
       return {{}, current, fmt::format("{} ({}): its amplitude is empty", name, place)};
     }
-    points = covering(points, step.period);
+    Points points = whole.covering(step.period);
     constexpr std::size_t kMostPoints = 100'000;
     if (points.size() * static_cast<std::size_t>(velocity ? kPieces : 1) > kMostPoints) {
       return {
