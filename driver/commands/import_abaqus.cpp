@@ -124,13 +124,16 @@ tl::expected<abaqus::RecordedHistory, std::string> recorded_history(const Import
                                                             : ',';
   abaqus::RecordedHistory history{
       .file = fs::proximate(options.history, folder).string(), .time = {}, .columns = {}};
-  history.columns = base::header_names(header, separator);
-  const auto time =
-      std::find_if(history.columns.begin(), history.columns.end(), [](const std::string& column) {
-        return abaqus::folded(column) == "TIME" || abaqus::folded(column) == "T";
-      });
-  if (time == history.columns.end()) {
+  const std::vector<std::string> columns = base::header_names(header, separator);
+  const auto time = std::find_if(columns.begin(), columns.end(), [](const std::string& column) {
+    return abaqus::folded(column) == "TIME" || abaqus::folded(column) == "T";
+  });
+  if (time == columns.end()) {
     return tl::unexpected(name + ": has no column called time, or t");
+  }
+  // Of names that are folded into one the first column holds.
+  for (const std::string& column : columns) {
+    history.columns.try_emplace(abaqus::folded(column), column);
   }
   history.time = *time;
   return history;

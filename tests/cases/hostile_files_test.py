@@ -440,6 +440,12 @@ class HostileFiles(InFolder):
         steps = "*STEP\n*STATIC\n1.,1.\n*CONNECTOR MOTION, AMPLITUDE=A\nPIN, 1, 0.5\n*END STEP\n" + "*STEP\n*STATIC\n1.,1.\n*END STEP\n" * 14000
         self.in_bounds({"slot.inp": head + amplitude + steps}, "import", "slot.inp", "-o", "slot.yaml", said="kept: 14001 steps")
 
+    def test_no_step_of_a_deck_takes_a_walk_through_the_columns_of_a_history(self):
+        head, tail = SLOT.split("*AMPLITUDE")
+        steps = "*STEP\n*STATIC\n1.,1.\n*CONNECTOR MOTION\nPIN, 1, 0.5\n*END STEP\n" * 17000
+        rows = "t," + ",".join(f"c{i}" for i in range(9990)) + "\n" + "".join(f"{i}" + ",0" * 9990 + "\n" for i in range(2))
+        self.in_bounds({"slot.inp": head + steps, "h.csv": rows}, "import", "slot.inp", "--history", "h.csv", "-o", "slot.yaml", said="kept: 17000 steps")
+
     def test_a_file_that_many_steps_read_is_bounded(self):
         rows = "t,x\n" + "".join(f"{i},{i * 1e-6}\n" for i in range(40000))
         motion = "motion: &m {CP1: {csv: d.csv, time: t, value: x, begins: 39997}}"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <tl/expected.hpp>
-#include <vector>
 
 #include "driver/import/abaqus/keyword_deck.hpp"
 #include "driver/import/abaqus/model.hpp"
@@ -15,9 +15,9 @@ using import::WrittenCase;
 
 /// History file with results of the model, whose columns drive the case in place of parameters.
 struct RecordedHistory {
-  std::string file;                       ///< as the case names it; empty: none
-  std::string time;                       ///< its time column
-  std::vector<std::string> columns = {};  ///< as it has them: CRF2, CTM3, CP1
+  std::string file;                                 ///< as the case names it; empty: none
+  std::string time;                                 ///< its time column
+  std::map<std::string, std::string> columns = {};  ///< as it has them, by their names folded: CRF2
 };
 
 struct CaseOptions {

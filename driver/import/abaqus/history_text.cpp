@@ -227,12 +227,11 @@ std::optional<std::string> CaseParts::recorded(const std::vector<std::string>& n
                                                double begin) const {
   const RecordedHistory& history = options_.history;
   for (const std::string& name : names) {
-    for (const std::string& column : history.columns) {
-      if (folded(column) != name) continue;
-      return fmt::format("{{csv: {}, time: {}, value: {}{}}}", quoted(history.file),
-                         quoted(history.time), quoted(column),
-                         begin > 0.0 ? ", begins: " + number_text(begin) : std::string());
-    }
+    const auto column = history.columns.find(name);
+    if (column == history.columns.end()) continue;
+    return fmt::format("{{csv: {}, time: {}, value: {}{}}}", quoted(history.file),
+                       quoted(history.time), quoted(column->second),
+                       begin > 0.0 ? ", begins: " + number_text(begin) : std::string());
   }
   return std::nullopt;
 }
