@@ -446,6 +446,17 @@ class HostileFiles(InFolder):
         rows = "t," + ",".join(f"c{i}" for i in range(9990)) + "\n" + "".join(f"{i}" + ",0" * 9990 + "\n" for i in range(2))
         self.in_bounds({"slot.inp": head + steps, "h.csv": rows}, "import", "slot.inp", "--history", "h.csv", "-o", "slot.yaml", said="kept: 17000 steps")
 
+    def test_no_element_of_a_deck_takes_a_walk_through_the_ranges_of_a_set(self):
+        nodes, rest = SLOT.split("*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n1, 1, 2\n")
+        elements = "*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n" + "".join(f"{i},1,2\n" for i in range(1, 95001))
+        sets = "*ELSET, ELSET=ALL, GENERATE\n1,999999\n*ELSET, ELSET=E, GENERATE\n"
+        steps = "*STEP\n*STATIC\n1.,1.\n*CONNECTOR MOTION\nE, 1, 0.5\nALL, 1, 0.25\n*END STEP\n"
+        for ranges in ("9,9\n" * 500000, "".join(f"{i},{i}\n" for i in range(3, 1500000, 3))):
+            self.write("slot.inp", nodes + elements + sets + ranges + rest.split("*AMPLITUDE")[0] + steps)
+            for element, twice in ((9, True), (10, False)):
+                self.in_bounds({}, "import", "slot.inp", "--connector", f"{element}", "-o", "slot.yaml", "--force", said="95000 connectors with friction")
+                self.assertEqual("stated twice" in (self.folder / "slot.yaml").read_text(), twice)
+
     def test_a_file_that_many_steps_read_is_bounded(self):
         rows = "t,x\n" + "".join(f"{i},{i * 1e-6}\n" for i in range(40000))
         motion = "motion: &m {CP1: {csv: d.csv, time: t, value: x, begins: 39997}}"

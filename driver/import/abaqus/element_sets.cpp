@@ -2,6 +2,8 @@
 #include "driver/import/abaqus/element_sets.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <tuple>
 
 namespace slipbench::driver::abaqus {
 namespace {
@@ -47,6 +49,8 @@ ElementSets::ElementSets(const KeywordDeck& deck) : deck_(deck) {
     if (sets == stated.end()) continue;
     for (const auto& [of_part, block] : sets->second) read(of_part, *block);
   }
+  for (auto& [name, ranges] : of_part_) put_in_order(ranges);
+  for (auto& [name, ranges] : of_instance_) put_in_order(ranges);
 }
 
 /// Notes that a set is to be read, one of an instance by its name in the part, too.
@@ -84,6 +88,58 @@ void ElementSets::read(const std::string& part, const Block& block) {
   }
 }
 
+/// Joins ranges of one set that overlap or touch, and orders all by their first numbers, so that
+/// those around a number are found without a look at the others.
+void ElementSets::put_in_order(std::vector<Range>& ranges) {
+  std::erase_if(ranges, [](const Range& one) { return one.last < one.first; });
+  const auto remainder = [](const Range& one) {
+    return (one.first % one.step + one.step) % one.step;
+  };
+  const auto is_series = [&](const Range& a, const Range& b) {
+    return a.step == b.step && remainder(a) == remainder(b) && a.label == b.label;
+  };
+  std::sort(ranges.begin(), ranges.end(), [&](const Range& a, const Range& b) {
+    return std::tuple(std::string_view(a.label), a.step, remainder(a), a.first) <
+           std::tuple(std::string_view(b.label), b.step, remainder(b), b.first);
+  });
+  std::vector<Range> joined;
+  for (Range& one : ranges) {
+    one.last -= (one.last - one.first) % one.step;
+    if (!joined.empty() && is_series(joined.back(), one) &&
+        one.first <= joined.back().last + one.step) {
+      joined.back().last = std::max(joined.back().last, one.last);
+    } else {
+      joined.push_back(std::move(one));
+    }
+  }
+  ranges = std::move(joined);
+  std::sort(ranges.begin(), ranges.end(),
+            [](const Range& a, const Range& b) { return a.first < b.first; });
+  note_furthest(ranges);
+}
+
+long ElementSets::note_furthest(std::span<Range> ranges) {
+  if (ranges.empty()) return std::numeric_limits<long>::min();
+  const std::size_t middle = ranges.size() / 2;
+  Range& one = ranges[middle];
+  one.furthest = std::max(
+      {one.last, note_furthest(ranges.first(middle)), note_furthest(ranges.subspan(middle + 1))});
+  return one.furthest;
+}
+
+/// Adds the sets whose ranges have a number.
+void ElementSets::add_around(long number, std::span<const Range> ranges,
+                             std::set<std::string>& labels) {
+  if (ranges.empty()) return;
+  const std::size_t middle = ranges.size() / 2;
+  const Range& one = ranges[middle];
+  if (one.furthest < number) return;
+  add_around(number, ranges.first(middle), labels);
+  if (one.first > number) return;
+  if (one.has(number)) labels.insert(one.label);
+  add_around(number, ranges.subspan(middle + 1), labels);
+}
+
 void ElementSets::expect(const std::string& label, std::string_view where,
                          const Block& block) const {
   const std::string own = own_part(label);
@@ -113,9 +169,7 @@ void ElementSets::add_sets_of(const std::string& part, long number,
     }
   }
   if (const auto ranges = of_part_.find(part); ranges != of_part_.end()) {
-    for (const Range& range : ranges->second) {
-      if (range.has(number)) labels.insert(range.label);
-    }
+    add_around(number, ranges->second, labels);
   }
   add_holders(labels, [](const Scoped&) { return true; });
 }
@@ -123,9 +177,7 @@ void ElementSets::add_sets_of(const std::string& part, long number,
 void ElementSets::add_sets_of_instance(const std::string& instance, long number,
                                        std::set<std::string>& labels) const {
   if (const auto ranges = of_instance_.find(instance); ranges != of_instance_.end()) {
-    for (const Range& range : ranges->second) {
-      if (range.has(number)) labels.insert(range.label);
-    }
+    add_around(number, ranges->second, labels);
   }
   add_holders(labels, [](const Scoped& holder) { return holder.part.empty(); });
 }

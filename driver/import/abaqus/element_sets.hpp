@@ -4,6 +4,7 @@
 
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,6 +42,7 @@ class ElementSets {
   struct Range {
     std::string label;
     long first = 0, last = 0, step = 1;
+    long furthest = 0;  ///< last number of those around which this one stands in the middle
     bool has(long number) const {
       return number >= first && number <= last && (number - first) % step == 0;
     }
@@ -48,6 +50,9 @@ class ElementSets {
 
   void want(const std::string& label);
   void read(const std::string& part, const Block& block);
+  static void put_in_order(std::vector<Range>& ranges);
+  static long note_furthest(std::span<Range> ranges);
+  static void add_around(long number, std::span<const Range> ranges, std::set<std::string>& labels);
   template <class Accepts>
   void add_holders(std::set<std::string>& labels, const Accepts& accepts) const;
 
