@@ -50,7 +50,9 @@ CycleFinder::Turn CycleFinder::take(double value) {
 }
 
 RowChoice::RowChoice(std::size_t columns, std::size_t limit, std::span<const std::size_t> motions)
-    : columns_(columns), limit_(limit), pieces_(columns, std::max<std::size_t>(limit / 8, 1) * 2) {
+    : columns_(columns),
+      limit_(limit * kColumnsOfMostRows / std::max(columns, kColumnsOfMostRows)),
+      pieces_(columns, std::max<std::size_t>(limit_ / 8, 1) * 2) {
   for (const std::size_t column : motions) motions_.push_back({column, {}, {}, {}, 0});
 }
 

@@ -123,6 +123,17 @@ TEST_CASE("a page of many cases has fewer rows of each") {
   CHECK(most_rows(100000) == 2500);
 }
 
+TEST_CASE("of many columns fewer rows stay") {
+  for (const std::size_t columns : {64U, 65U, 640U}) {
+    CAPTURE(columns);
+    RowChoice choice(columns, 50000, {});
+    const std::vector<double> row(columns, 1.0);
+    for (int i = 0; i < 50000; ++i) choice.add(row, false);
+    CHECK(choice.thinned() == (columns > 64));
+    CHECK(choice.finish().rows.numbers.size() <= 64 * 50000);
+  }
+}
+
 TEST_CASE("of too many wanted rows the first and the last ones stay") {
   std::set<std::size_t> wanted;
   for (std::size_t i = 5; i < 20000; i += 10) wanted.insert(i);
