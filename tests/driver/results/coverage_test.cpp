@@ -108,7 +108,7 @@ cases::Case changing_case(std::size_t steps, const law::TableFunction& table) {
   return problem;
 }
 
-/// How often a text stands in another.
+/// Counts the places at which a text stands in another.
 std::size_t count_of(const std::string& what, const std::string& text) {
   std::size_t count = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
