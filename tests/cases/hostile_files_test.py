@@ -414,6 +414,15 @@ class HostileFiles(InFolder):
         steps = "".join(STEP.format(name=f"s{i}").replace("motion", change.format("*c" if i else table) + "motion") for i in range(39))
         self.in_bounds({"d.csv": rows, "c.yaml": SLIDER.format(title="Tables", history=steps)}, "export", "c.yaml", "--to", "abaqus", "-o", "o.inp", said="the deck is not read back")
 
+    def test_a_deck_whose_frictions_name_one_group_stays_within_bounds(self):
+        parts = "".join(",".join(f"{i + k}" for k in range(8)) + "\n" for i in range(1, 60000, 8))
+        pairs = "".join(f"*DEFINE_FRICTION\n{i},.2\n4,4,.4,.2,1.,0.,PSET,PSET\n" for i in range(1, 3001))
+        self.in_bounds({"d.k": "*KEYWORD\n*SET_PART_LIST\n4\n" + parts + pairs}, "import", "d.k", code=2, said="3000 contacts with friction")
+        self.in_bounds({}, "import", "d.k", "--id", "2999", "-o", "one.yaml")
+        # Collected piece by piece, each part once.
+        collected = "*SET_PART_LIST_COLLECT\n4\n7,8\n" * 70000 + "*SET_PART_LIST_COLLECT\n4\n3,7\n"
+        self.in_bounds({"c.k": "*KEYWORD\n" + collected + "*DEFINE_FRICTION\n1,.2\n4,4,.4,.2,1.,0.,PSET,PSET\n"}, "import", "c.k", said="S4: [3, 7, 8]")
+
     def test_connectors_that_share_the_steps_of_a_deck_stay_within_bounds(self):
         nodes, rest = SLOT.split("*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n1, 1, 2\n")
         body = rest.split("*AMPLITUDE")[0]

@@ -152,12 +152,12 @@ class ContactText {
     // Without all of the deck's parts a list would refuse good ids.
     if (!friction_.parts.empty()) line("  parts: {}", list_text(friction_.parts, 10));
     if (!friction_.groups.empty()) line("  groups:");
-    for (const ContactGroup& group : friction_.groups) {
-      if (!group.title.empty()) line("    # {}", group.title);
-      if (group.parts.empty()) {
-        line("    {}: []    # {}", group.name, kPartsToFillIn);
+    for (const auto& group : friction_.groups) {
+      if (!group->title.empty()) line("    # {}", group->title);
+      if (group->parts.empty()) {
+        line("    {}: []    # {}", group->name, kPartsToFillIn);
       } else {
-        line("    {}: {}", group.name, list_text(group.parts, 7 + group.name.size()));
+        line("    {}: {}", group->name, list_text(group->parts, 7 + group->name.size()));
       }
     }
     line("  default:");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,7 +50,7 @@ struct ContactFriction {
   bool needs_units = false;                    ///< a law does not run without
   bool sees_pressure = false;                  ///< some law or limit needs the contact's area
   std::vector<int> parts = {};                 ///< all there are; empty: not known
-  std::vector<ContactGroup> groups = {};
+  std::vector<std::shared_ptr<const ContactGroup>> groups = {};  ///< of a deck, whoever names them
   std::vector<ContactRecord> pairs = {};  ///< the last one that joins both parts holds
   ContactRecord otherwise = {};
   bool viscous = false;   ///< penalty; else a stiffness

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -107,6 +108,11 @@ class FrictionReader {
     for (const Block& block : deck_.blocks) {
       if (block.keyword.starts_with("SET_PART")) read_group(block);
     }
+    for (const auto& [id, group] : groups_) {
+      std::vector<int>& parts = group->parts;
+      std::sort(parts.begin(), parts.end());
+      parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    }
     for (std::size_t i = 0; i < deck_.blocks.size(); ++i) {
       const std::string& keyword = deck_.blocks[i].keyword;
       const std::string plain =
@@ -153,13 +159,11 @@ class FrictionReader {
     }
     const auto collected = groups_.find(id);
     if (is_option(block.keyword, "COLLECT") && collected != groups_.end()) {
-      std::vector<int>& parts = collected->second.parts;
+      std::vector<int>& parts = collected->second->parts;
       parts.insert(parts.end(), group.parts.begin(), group.parts.end());
-      std::sort(parts.begin(), parts.end());
       return;
     }
-    std::sort(group.parts.begin(), group.parts.end());
-    keep(groups_, id, std::move(group), cards, first);
+    keep(groups_, id, std::make_shared<import::ContactGroup>(std::move(group)), cards, first);
   }
 
   /// Keeps what a keyword says under its id, which no other has.
@@ -244,7 +248,8 @@ class FrictionReader {
           const auto group = groups_.find(number);
           friction.groups.push_back(group != groups_.end()
                                         ? group->second
-                                        : import::ContactGroup{pair.sides[side], {}, {}});
+                                        : std::make_shared<import::ContactGroup>(
+                                              import::ContactGroup{pair.sides[side], {}, {}}));
         }
       }
       const std::string_view line = block.cards[card];
@@ -407,9 +412,7 @@ class FrictionReader {
     }
     named_.insert(definition->first);
     std::size_t records = definition->second.pairs.size();
-    for (const import::ContactGroup& group : definition->second.groups) {
-      records += group.parts.size();
-    }
+    for (const auto& group : definition->second.groups) records += group->parts.size();
     if (!takes(records, found)) return;
     std::string name = found.friction.name;
     std::string title = std::move(found.friction.title);
@@ -485,7 +488,7 @@ class FrictionReader {
   std::optional<int> contact_;
   std::size_t records_ = 0;
   std::size_t of_others_ = 0;  ///< of the contacts before the one that is read
-  std::map<int, import::ContactGroup> groups_;
+  std::map<int, std::shared_ptr<import::ContactGroup>> groups_;
   std::map<int, Curve> curves_;
   std::map<std::size_t, Curve> curve_of_block_;
   std::map<int, Table> tables_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -73,17 +74,18 @@ std::string filter(const DeckFriction& friction) {
   return {};
 }
 
-std::vector<import::ContactGroup> groups_of(const DeckContents& deck,
-                                            const DeckFriction& friction) {
-  std::vector<import::ContactGroup> groups;
+std::vector<std::shared_ptr<const import::ContactGroup>> groups_of(const DeckContents& deck,
+                                                                   const DeckFriction& friction) {
+  std::vector<std::shared_ptr<const import::ContactGroup>> groups;
   std::set<int> met;
   for (const DeckPair& pair : friction.pairs) {
     for (const DeckSide& side : pair.sides) {
       if (side.group == 0 || !met.insert(side.group).second) continue;
       const DeckGroup* const group = find_group(deck, side.group);
-      groups.push_back({.name = side_text(side),
-                        .title = group == nullptr ? "" : group->title,
-                        .parts = group == nullptr ? std::vector<int>() : group->parts});
+      groups.push_back(std::make_shared<import::ContactGroup>(
+          import::ContactGroup{.name = side_text(side),
+                               .title = group == nullptr ? "" : group->title,
+                               .parts = group == nullptr ? std::vector<int>() : group->parts}));
     }
   }
   return groups;
