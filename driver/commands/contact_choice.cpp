@@ -10,6 +10,28 @@
 #include "driver/commands/import_units.hpp"
 
 namespace slipbench::driver::commands {
+namespace {
+
+/// Some megabytes of cases, and a second's work to write them and read them back.
+constexpr std::size_t kMostParts = 1'000'000;
+
+}  // namespace
+
+bool lists_too_many_parts(const import::ContactFriction& friction, std::size_t& parts) {
+  if (friction.pairs.empty()) return false;
+  parts += friction.parts.size();
+  for (const auto& group : friction.groups) parts += group->parts.size();
+  return parts > kMostParts;
+}
+
+ImportedDeck refused_for_parts(ImportedDeck imported, const std::string& deck,
+                               std::string_view option) {
+  return refused(
+      std::move(imported),
+      fmt::format(
+          "{}: its cases would list more than {} parts together: choose one of them with {}",
+          base::printable(deck), kMostParts, option));
+}
 
 ImportedDeck choose_contacts(const ImportOptions& options, std::vector<ContactChoice> choices,
                              const base::Diagnostics& diagnostics, const import::DeckTexts& texts,
@@ -53,8 +75,12 @@ ImportedDeck choose_contacts(const ImportOptions& options, std::vector<ContactCh
                                words.option));
   }
   const std::filesystem::path deck(options.deck);
+  std::size_t parts = 0;
   for (ContactChoice& one : choices) {
     if (one.passed_over || !one.meant) continue;
+    if (lists_too_many_parts(one.friction, parts) && meant > 1) {
+      return refused_for_parts(std::move(imported), options.deck, words.option);
+    }
     one.friction.deck = deck.filename().string();
     one.friction.units = units;
     const std::size_t records = one.friction.pairs.size();

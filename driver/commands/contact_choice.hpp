@@ -27,6 +27,13 @@ struct ChoiceWords {
   std::string_view option;  ///< "--interface"
 };
 
+/// Tells whether the cases of a deck list more parts together than are written at once.
+/// \param parts of the cases before, to which those of this one are added
+bool lists_too_many_parts(const import::ContactFriction& friction, std::size_t& parts);
+/// The same as a refusal.
+ImportedDeck refused_for_parts(ImportedDeck imported, const std::string& deck,
+                               std::string_view option);
+
 /// Lists what a deck has, and makes the cases of what is meant. Errors of the deck end the import,
 /// and so does a choice that is open.
 ImportedDeck choose_contacts(const ImportOptions& options, std::vector<ContactChoice> choices,

@@ -16,6 +16,7 @@
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/source_text.hpp"
 #include "driver/base/units/units.hpp"
+#include "driver/commands/contact_choice.hpp"
 #include "driver/commands/import_units.hpp"
 #include "driver/import/deck_kind.hpp"
 #include "driver/import/radioss/case_writer.hpp"
@@ -303,7 +304,13 @@ ImportedDeck import_radioss(const ImportOptions& options) {
     imported.code = base::kExitBadInput;
     return imported;
   }
+  std::size_t parts = 0;
   for (const Meant& meant : all) {
+    const import::ContactFriction friction =
+        radioss::contact_friction(contents, meant.friction, meant.options);
+    if (lists_too_many_parts(friction, parts) && all.size() > 1) {
+      return refused_for_parts(std::move(imported), options.deck, "--interface or --id");
+    }
     std::string name = radioss::name_of(meant.friction);
     const std::size_t records = meant.friction.pairs.size();
     std::string summary = name;
@@ -311,9 +318,8 @@ ImportedDeck import_radioss(const ImportOptions& options) {
       summary += fmt::format(", {} record{} and the default", records, records == 1 ? "" : "s");
     }
     std::replace(name.begin(), name.end(), '/', '_');
-    imported.cases.push_back(
-        {std::filesystem::path(options.deck).stem().string() + name, std::move(summary),
-         import::contact_case(radioss::contact_friction(contents, meant.friction, meant.options))});
+    imported.cases.push_back({std::filesystem::path(options.deck).stem().string() + name,
+                              std::move(summary), import::contact_case(friction)});
   }
   return imported;
 }

@@ -419,6 +419,14 @@ class HostileFiles(InFolder):
         pairs = "".join(f"*DEFINE_FRICTION\n{i},.2\n4,4,.4,.2,1.,0.,PSET,PSET\n" for i in range(1, 3001))
         self.in_bounds({"d.k": "*KEYWORD\n*SET_PART_LIST\n4\n" + parts + pairs}, "import", "d.k", code=2, said="3000 contacts with friction")
         self.in_bounds({}, "import", "d.k", "--id", "2999", "-o", "one.yaml")
+        refused = "its cases would list more than 1000000 parts together: choose one of them with --"
+        self.in_bounds({}, "import", "d.k", "--all", "-o", "all", code=2, said=refused + "interface, or a *DEFINE_FRICTION with --id")
+        group = "#RADIOSS STARTER\n/BEGIN\nrun\n      2022         0\n" + 2 * f"{'kg':>20}{'mm':>20}{'ms':>20}\n" + "/GRPART/PART/4\nbody\n" + "".join(
+            "".join(f"{i + k:>10}" for k in range(10)) + "\n" for i in range(1, 40000, 10))
+        law = "".join(f"{0:>20}" for _ in range(5)) + f"\n{0:>20}{0.1:>20}{1:>20}\n"
+        frictions = "".join(f"/FRICTION/{i}\nlid\n{0:>10}{0:>10}{0:>20}{2:>10}\n{law}{4:>10}{0:>10}{0:>10}{3:>10}\n{law}" for i in range(1, 1000))
+        self.in_bounds({"d_0000.rad": group + frictions + "/END\n"}, "import", "d_0000.rad", "--all", "-o", "rad", code=2, said=refused + "interface or --id")
+        self.in_bounds({}, "import", "d_0000.rad", "--id", "999", "-o", "rad.yaml")
         # Collected piece by piece, each part once.
         collected = "*SET_PART_LIST_COLLECT\n4\n7,8\n" * 70000 + "*SET_PART_LIST_COLLECT\n4\n3,7\n"
         self.in_bounds({"c.k": "*KEYWORD\n" + collected + "*DEFINE_FRICTION\n1,.2\n4,4,.4,.2,1.,0.,PSET,PSET\n"}, "import", "c.k", said="S4: [3, 7, 8]")
