@@ -761,6 +761,13 @@ history:
         self.assertRegex(lsdyna, r"(?m)^ +5 +1002 .*PSET +PSET$")
         self.assertRegex(lsdyna, r"(?m)^ +1003 +1004 .*PSET +PSET$")
 
+    def test_part_pairs_of_many_groups_are_exported_in_time(self):
+        groups = ", ".join(f"g{i}: [1]" for i in range(300000))
+        pairs = "[&p {parts: [g299999, 2], coefficient: 0.15}" + ", *p" * 34000 + "]"
+        case = SLIDER.format(title="T", history=STEP.format(name="a")).replace("{type: SLOT}", "{type: SLOT, parts: [1, 2]}").replace(" coefficient: 0.2,", "")
+        self.write("case.yaml", case + f"friction_pairs: {{groups: {{{groups}}}, default: {{coefficient: 0.1}}, pairs: {pairs}}}\n")
+        self.in_bounds({}, "export", "case.yaml", "--to", "lsdyna", "-o", "case.k", said="34001 records of part pairs")
+
     def test_a_unit_of_many_parameters_is_written_in_time(self):
         many = "".join(f"  p{i}: 0.1\n" for i in range(900))
         chain = "  q999: 0.1\n" + "".join(f"  q{i}: = q{i + 1}\n" for i in range(998, -1, -1))

@@ -77,6 +77,9 @@ void take_pairs(const read::FrictionPairsText& table, FrictionStatement& stateme
     for (const auto& part : named.value) group.parts.push_back(part.value);
   }
   number_groups(statement.groups);
+  for (const StatedGroup& group : statement.groups) {
+    statement.id_of_group.emplace(group.name, group.id);
+  }
   statement.otherwise = table.otherwise.given() ? stated(table.otherwise.value)
                                                 : StatedFriction{.law = law::ConstantCoefficient{}};
   for (const auto& pair : table.pairs.value) {
@@ -111,10 +114,8 @@ void tell_other_parts(const cases::Case& problem, std::vector<Loss>& losses) {
 
 int FrictionStatement::id_of(const read::PartOrGroup& side) const {
   if (const int* const part = std::get_if<int>(&side.value)) return *part;
-  const auto& name = std::get<std::string>(side.value);
-  const auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&](const StatedGroup& one) { return one.name == name; });
-  return group == groups.end() ? 0 : group->id;
+  const auto group = id_of_group.find(std::get<std::string>(side.value));
+  return group == id_of_group.end() ? 0 : group->second;
 }
 
 FrictionStatement stated_friction(const cases::Case& problem, const read::CaseText& written,

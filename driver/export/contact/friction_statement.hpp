@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,7 @@ struct FrictionStatement {
   StatedFriction otherwise = {};
   std::vector<StatedPair> pairs = {};
   std::vector<StatedGroup> groups = {};
+  std::map<std::string, int> id_of_group = {};  ///< of these, by their names
   std::optional<law::Formulation> formulation = {};
   law::StickStiffness stick = {};
   RunRange run = {};  ///< of the case's own run
