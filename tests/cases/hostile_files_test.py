@@ -271,6 +271,11 @@ class HostileFiles(InFolder):
         worn = SLIDER.format(title="Worn", history=STEP.format(name="a") + changes).replace(
             "predefined: {}", f"component: 1, internal_contact_force: {{columns: [F, accumulated_slip], rows: [{wear}]}}")
         self.refused_in_time(worn, "16010 increments", code=0)
+        # Each looks for the places of its nodes behind all the steps before.
+        fields = ", ".join(f"field{i}: 0" for i in range(1, 17))
+        moved = "".join(f"  - {{step: s{i}, increments: 1, fields: {'&f {' + fields + '}' if i == 0 else '*f'}, nodes: {'&n {a: [5, 5, 5], b: [5, 5, 5], c: [5, 5, 5]}' if i == 0 else '*n'}}}\n" for i in range(10000))
+        nodes = SLIDER.format(title="Nodes", history="  - {step: a, increments: 1, force: {f1: 100}}\n" + moved).replace("{type: SLOT}", "{type: SLIPRING, nodes: {a: [0, 0, 0], b: [1, 0, 0], c: [1, 1, 0]}}")
+        self.refused_in_time(nodes, "node a is at 0 there", longest=2000000)
 
     def test_keys_below_long_ones_are_read_in_time(self):
         # Behind keys of 60 kB in all, those that are sound and those that are not.

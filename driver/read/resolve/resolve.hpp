@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "driver/case/case.hpp"
 #include "driver/read/keys/case_text.hpp"
@@ -21,9 +23,16 @@ void resolve_belt(yaml::Binder& binder, const CaseText& text, cases::Case& out);
 /// Finishes what of a belt can only be judged with its history: tensions, and whether its length is
 /// known.
 void finish_belt(yaml::Binder& binder, const CaseText& text, cases::Case& out);
+/// Coordinates of a belt's nodes behind the steps so far, where the text alone tells them.
+struct NodePlaces {
+  std::vector<std::optional<double>> coordinates;  ///< x, y and z of a, b and c
+  std::size_t steps = 0;                           ///< behind which they are there
+};
 /// The drives of `nodes:` in a step.
+/// \param places of the calls before; at first empty
 /// \param drive is called with each coordinate that is driven
 void drive_nodes(yaml::Binder& binder, const StepText& text, const cases::Case& problem,
+                 NodePlaces& places,
                  const std::function<void(int quantity, const yaml::At<ProfileText>&)>& drive);
 /// Picks the record of `friction_pairs:` that joins the connector's parts. Goes before friction.
 /// \param table_known false: the table may be missing because its key is misspelt

@@ -140,19 +140,23 @@ std::pair<yaml::Node, yaml::Path> place_of(const CaseText& text,
   return {*text.history.node, text.history.path};
 }
 
-/// The value a coordinate has before a step, if the text alone tells.
-std::optional<double> coordinate_before(const cases::Case& problem, int quantity) {
-  for (auto step = problem.steps.rbegin(); step != problem.steps.rend(); ++step) {
-    for (const cases::Drive& drive : step->drives) {
-      if (drive.quantity != quantity) continue;
-      if (const auto* p = std::get_if<history::Constant>(&drive.profile)) return p->value;
-      if (const auto* p = std::get_if<history::LinearTo>(&drive.profile)) return p->value;
-      if (const auto* p = std::get_if<history::SmoothTo>(&drive.profile)) return p->value;
-      return std::nullopt;
+/// Follows the nodes of a belt through the steps that the case has got since the last call.
+void follow(const cases::Case& problem, NodePlaces& places) {
+  if (places.coordinates.empty()) {
+    for (const law::Point& node : *problem.belt->nodes) {
+      places.coordinates.insert(places.coordinates.end(), node.begin(), node.end());
     }
   }
-  const auto index = static_cast<std::size_t>(quantity - cases::kFirstNode);
-  return (*problem.belt->nodes)[index / 3][index % 3];
+  for (; places.steps < problem.steps.size(); ++places.steps) {
+    for (const cases::Drive& drive : problem.steps[places.steps].drives) {
+      if (drive.quantity < cases::kFirstNode) continue;
+      auto& at = places.coordinates[static_cast<std::size_t>(drive.quantity - cases::kFirstNode)];
+      at.reset();
+      if (const auto* p = std::get_if<history::Constant>(&drive.profile)) at = p->value;
+      if (const auto* p = std::get_if<history::LinearTo>(&drive.profile)) at = p->value;
+      if (const auto* p = std::get_if<history::SmoothTo>(&drive.profile)) at = p->value;
+    }
+  }
 }
 
 /// Warns of a distance that is driven below a hundredth of the initial one, or near it, as far as
@@ -243,6 +247,7 @@ void resolve_belt(yaml::Binder& binder, const CaseText& text, cases::Case& out) 
 }
 
 void drive_nodes(yaml::Binder& binder, const StepText& text, const cases::Case& problem,
+                 NodePlaces& places,
                  const std::function<void(int quantity, const yaml::At<ProfileText>&)>& drive) {
   if (!text.nodes.given() || is_any_connection(problem.connection)) return;
   if (!problem.belt) {
@@ -254,6 +259,7 @@ void drive_nodes(yaml::Binder& binder, const StepText& text, const cases::Case& 
                  "give 'connector: {nodes: ...}'");
     return;
   }
+  follow(problem, places);
   const NodeMotionText& nodes = text.nodes.value;
   const std::array all{&nodes.a, &nodes.b, &nodes.c};
   for (std::size_t n = 0; n < all.size(); ++n) {
@@ -269,7 +275,7 @@ void drive_nodes(yaml::Binder& binder, const StepText& text, const cases::Case& 
       if (!profile.sound) continue;
       const int quantity = cases::kFirstNode + static_cast<int>(3 * n + i);
       if (const auto* stays = std::get_if<history::Constant>(&profile.value.profile)) {
-        const auto before = coordinate_before(problem, quantity);
+        const std::optional<double> before = places.coordinates[3 * n + i];
         if (before && *before != stays->value) {
           binder.error(*profile.node, profile.path,
                        "a number is a coordinate that stays, and node " + std::string(1, "abc"[n]) +

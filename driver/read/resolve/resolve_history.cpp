@@ -235,7 +235,8 @@ void doubt_increments(yaml::Binder& binder, const yaml::Node& node, const yaml::
 }
 
 /// \param start total time at the step's start
-void read_step(yaml::Binder& binder, const StepText& text, cases::Case& out, double start) {
+void read_step(yaml::Binder& binder, const StepText& text, cases::Case& out, double start,
+               NodePlaces& places) {
   cases::Step step;
   step.name = text.step.value;
   step.duration = text.duration.value;
@@ -260,7 +261,7 @@ void read_step(yaml::Binder& binder, const StepText& text, cases::Case& out, dou
     add(quantity_of(binder, out, entry.name, *entry.key, entry.path, true, false, false),
         entry.value, *entry.node, entry.path, entry.sound);
   }
-  drive_nodes(binder, text, out, [&](int quantity, const yaml::At<ProfileText>& profile) {
+  drive_nodes(binder, text, out, places, [&](int quantity, const yaml::At<ProfileText>& profile) {
     add(quantity, profile.value, *profile.node, profile.path, profile.sound);
   });
   for (const auto& entry : text.force) {
@@ -368,6 +369,7 @@ void resolve_history(yaml::Binder& binder, const CaseText& text, cases::Case& ou
     return;
   }
   double start = 0.0;
+  NodePlaces places;
   std::map<std::string_view, std::size_t> names;
   for (std::size_t i = 0; i < history.steps.size(); ++i) {
     const StepText& step = history.steps[i].value;
@@ -382,7 +384,7 @@ void resolve_history(yaml::Binder& binder, const CaseText& text, cases::Case& ou
                          "' is already that of history[" + std::to_string(first->second) + "]");
       }
     }
-    read_step(binder, step, out, start);
+    read_step(binder, step, out, start, places);
     const bool ends = std::isfinite(start);
     start += step.repeat * step.duration.value;
     if (ends && !std::isfinite(start) && step.duration.sound) {

@@ -237,6 +237,19 @@ TEST_CASE("a node may stay where an earlier step has put it, and nowhere else") 
   CHECK_THAT(wrong[0],
              Catch::Contains("history[1].nodes.c[0]: a number is a coordinate that stays, "
                              "and node c is at 5 there"));
+  // Whatever steps lie in between; behind a table the text does not tell where it is.
+  const std::string table = "{columns: [y, t], rows: [[2, 0], [4, 1]]}";
+  const auto later = read::messages(
+      belt(kNodes, first + "  - {step: q, increments: 2, nodes: {c: [{smooth_to: 6}, " + table +
+                       ", 0]}}\n  - {step: p, increments: 2}\n"
+                       "  - {step: r, increments: 2, nodes: {a: [-3, 0, 1], c: [5, 9, 0]}}\n"));
+  REQUIRE(later.size() == 2);
+  CHECK_THAT(later[0],
+             Catch::Contains("history[3].nodes.a[2]: a number is a coordinate that stays, "
+                             "and node a is at 0 there"));
+  CHECK_THAT(later[1],
+             Catch::Contains("history[3].nodes.c[0]: a number is a coordinate that stays, "
+                             "and node c is at 6 there"));
 }
 
 }  // namespace
