@@ -392,6 +392,8 @@ bool is_misspelt(const Node& node, std::string_view key) {
   const std::vector<std::string_view> allowed = keys_of<T>();
   for (const Entry entry : node.entries()) {
     if (std::find(allowed.begin(), allowed.end(), entry.key.text()) != allowed.end()) continue;
+    // Most names are not near this one at all.
+    if (!base::nearest_name(entry.key.text(), std::span(&key, 1))) continue;
     if (base::nearest_name(entry.key.text(), allowed) == key) return true;
   }
   return false;
