@@ -208,7 +208,9 @@ bool Binder::may_read(const Node& node, const Path& path, const std::filesystem:
   longest_read_ = std::max(longest_read_, size);
   if (read_ <= kAlways + kTimes * longest_read_) return true;
   error(node, path, "files of numbers are read again and again: too often for a case",
-        "drive the case by one 'history: {csv: ..}', or its steps by 'repeat'");
+        path.text().starts_with("checks")
+            ? "compare with a file in one format, and with few columns of one that lacks samples"
+            : "drive the case by one 'history: {csv: ..}', or its steps by 'repeat'");
   return false;
 }
 

@@ -133,10 +133,10 @@ void note_missing(yaml::Binder& binder, const base::DataSource& source,
 }
 
 bool may_read(yaml::Binder& binder, const base::DataSource& source, const yaml::Node& at,
-              const yaml::Path& path) {
+              const yaml::Path& path, std::uintmax_t effort) {
   // Rows in which samples may be missing are read field by field.
   const bool by_fields = source.format.missing != base::MissingSample::kError;
-  return binder.may_read(at, path, source.file, by_fields ? 4 : 1);
+  return binder.may_read(at, path, source.file, by_fields ? 4 * effort : effort);
 }
 
 }  // namespace slipbench::driver::read

@@ -46,7 +46,8 @@ void note_missing(yaml::Binder& binder, const base::DataSource& source,
 
 /// Counts a source that is read through while the case is (yaml::Binder::may_read). Returns false
 /// after reporting that the case reads too often.
+/// \param effort of a byte, as a multiple of that of reading it
 bool may_read(yaml::Binder& binder, const base::DataSource& source, const yaml::Node& at,
-              const yaml::Path& path);
+              const yaml::Path& path, std::uintmax_t effort = 1);
 
 }  // namespace slipbench::driver::read

@@ -374,7 +374,7 @@ std::string formula_of(std::string_view text) {
 
 void read_check(yaml::Binder& binder, const yaml::At<CheckText>& at,
                 const std::vector<std::string>& variables, const StepNames& steps,
-                bool curves_may_be_missing, OpenCurve& last, cases::Case& out) {
+                bool curves_may_be_missing, OpenCurve& open, cases::Case& out) {
   const CheckText& text = at.value;
   bool good = at.sound;
   auto quantity = compile_expression(binder, text.quantity, variables);
@@ -400,7 +400,7 @@ void read_check(yaml::Binder& binder, const yaml::At<CheckText>& at,
       reference = std::move(*compiled);
     }
   } else if (against.curve.given()) {
-    auto curve = abscissa ? read_curve(binder, text, *abscissa, out, curves_may_be_missing, last)
+    auto curve = abscissa ? read_curve(binder, text, *abscissa, out, curves_may_be_missing, open)
                           : std::nullopt;
     if (curve) reference = std::move(*curve);
   } else if (auto form = closed_form(binder, against, text.quantity.value, out, variables)) {
@@ -490,7 +490,7 @@ void resolve_output_and_checks(yaml::Binder& binder, const CaseText& text, cases
   const StepNames steps = step_names(text);
   const std::vector<yaml::At<CheckText>>& checks = text.checks.value;
   std::map<std::string_view, std::size_t> names;
-  OpenCurve last;
+  OpenCurve open;
   for (std::size_t i = 0; i < checks.size(); ++i) {
     const yaml::At<std::string>& name = checks[i].value.name;
     if (name.sound && name.value.find_first_not_of(' ') == std::string::npos) {
@@ -503,7 +503,7 @@ void resolve_output_and_checks(yaml::Binder& binder, const CaseText& text, cases
                          std::to_string(first->second) + "]");
       }
     }
-    read_check(binder, checks[i], variables, steps, curves_may_be_missing, last, out);
+    read_check(binder, checks[i], variables, steps, curves_may_be_missing, open, out);
     const cases::Criterion criterion = checks[i].value.criterion.value;
     const auto column = results::find_column(out, all, checks[i].value.quantity.value);
     if (column &&

@@ -144,7 +144,8 @@ std::optional<base::UnitConversion> conversion(
 /// The file of `curve:`, a shipped curve or one of the case's folder.
 std::optional<cases::CurveReference> curve_file(yaml::Binder& binder,
                                                 const yaml::At<DataSourceText>& source,
-                                                const cases::Case& problem, bool may_be_missing) {
+                                                const cases::Case& problem, bool may_be_missing,
+                                                OpenCurve& open) {
   const yaml::At<std::string>& at = source.value.file;
   if (!at.sound) return std::nullopt;
   cases::CurveReference result;
@@ -178,6 +179,14 @@ std::optional<cases::CurveReference> curve_file(yaml::Binder& binder,
     result.data = other->data;
     return result;
   }
+  base::DataSource data{result.file, result.shown_name, result.format};
+  // A file is kept once for each format and each spelling of its path, and two characters of it may
+  // be a double: with this effort copies of it take no more than 150 MB and 1 s.
+  constexpr std::uintmax_t kKept = 16;
+  if (!open.files.insert(result.file.lexically_normal().string()).second &&
+      !may_read(binder, data, *at.node, at.path, kKept)) {
+    return std::nullopt;
+  }
   std::error_code ignored;
   const bool missing = !fs::exists(fs::symlink_status(result.file, ignored));
   if (!missing || !may_be_missing) {
@@ -189,8 +198,7 @@ std::optional<cases::CurveReference> curve_file(yaml::Binder& binder,
       return std::nullopt;
     }
   }
-  result.data = std::make_shared<cases::CurveFile>(
-      base::DataSource{result.file, result.shown_name, result.format});
+  result.data = std::make_shared<cases::CurveFile>(std::move(data));
   return result;
 }
 
@@ -231,12 +239,12 @@ std::optional<AbscissaChoice> read_abscissa(yaml::Binder& binder, const CheckTex
 std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const CheckText& text,
                                                 const AbscissaChoice& abscissa,
                                                 const cases::Case& problem, bool may_be_missing,
-                                                OpenCurve& last) {
+                                                OpenCurve& open) {
   const AgainstText& against = text.against.value;
   if (!against.curve.sound || against.abscissa.faulty() || against.column.faulty()) {
     return std::nullopt;
   }
-  auto result = curve_file(binder, against.curve, problem, may_be_missing);
+  auto result = curve_file(binder, against.curve, problem, may_be_missing, open);
   const auto quantity = column_of_quantity(text.quantity.value, problem);
   std::optional<base::Dimension> dimension;
   if (quantity) dimension = column_named(problem, *quantity)->dimension;
@@ -253,11 +261,12 @@ std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const Chec
   const base::CsvReader* header = nullptr;
   if (result) {
     base::DataSource source{result->file, result->shown_name, result->format};
-    if (last.source != source) {
+    if (open.source != source) {
       auto opened = base::CsvReader::open(source, {});
-      last = {std::move(source), opened ? std::optional(std::move(*opened)) : std::nullopt};
+      open.source = std::move(source);
+      open.file = opened ? std::optional(std::move(*opened)) : std::nullopt;
     }
-    if (last.file) header = &*last.file;
+    if (open.file) header = &*open.file;
   }
   const auto over = conversion(binder, against.abscissa, header, abscissa_names, against.curve,
                                abscissa.dimension, "abscissa", problem.units);
@@ -285,8 +294,15 @@ std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const Chec
     });
     if (found != names.end()) compared_names.push_back(*found);
   }
-  note_missing(binder, {result->file, result->shown_name, result->format}, compared_names,
-               *against.curve.node, against.curve.path);
+  const base::DataSource source{result->file, result->shown_name, result->format};
+  // To count what is missing reads the file once for each pair of columns, some 7 ns a byte.
+  constexpr std::uintmax_t kCounted = 2;
+  if (source.format.missing != base::MissingSample::kError &&
+      open.counted.emplace(result->data.get(), compared_names).second &&
+      !binder.may_read(*against.curve.node, against.curve.path, source.file, kCounted)) {
+    return std::nullopt;
+  }
+  note_missing(binder, source, compared_names, *against.curve.node, against.curve.path);
   result->abscissa = {std::move(abscissa_names), *over};
   result->column = {std::move(column_names), *compared};
   return result;

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "driver/base/csv/csv_reader.hpp"
@@ -29,19 +31,23 @@ std::optional<AbscissaChoice> read_abscissa(yaml::Binder& binder, const CheckTex
                                             const std::vector<std::string>& variables,
                                             const cases::Case& problem);
 
-/// The curve whose header was read last: as a rule the next check names it again.
+/// What the checks of a case have read so far: the curve whose header was read last, which as a
+/// rule the next check names again, and which files and samples are there.
 struct OpenCurve {
   base::DataSource source;
   std::optional<base::CsvReader> file;  ///< nothing if it cannot be read
+  std::set<std::string> files;          ///< one for all spellings of its path
+  /// Columns of a file in which samples may be missing, counted already.
+  std::set<std::pair<const cases::CurveFile*, std::vector<std::string>>> counted;
 };
 
 /// The curve under `against:`.
 /// \param may_be_missing the file need not be there: it is about to be made
-/// \param last is replaced by the curve unless it is that
+/// \param open is brought up to the curve
 std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const CheckText& text,
                                                 const AbscissaChoice& abscissa,
                                                 const cases::Case& problem, bool may_be_missing,
-                                                OpenCurve& last);
+                                                OpenCurve& open);
 
 /// The column that is named by a check's quantity and nothing else.
 std::optional<std::string> column_of_quantity(std::string_view quantity,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks against curves, as a case file writes them.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -141,6 +143,47 @@ TEST_CASE("A name without ending is that of a curve that comes with the program"
       sound(against("{curve: dahl_loop, abscissa: x, column: F_N}", "    abscissa: CU1\n"));
   CHECK(curve_of(problem).shipped);
   CHECK(curve_of(problem).file.filename() == "dahl_loop.csv");
+}
+
+TEST_CASE("A file that checks read in ever other formats, spellings and columns is refused") {
+  const Folder at;
+  // 100,000 bytes, of which some 70 more copies, or 560 countings, are allowed.
+  std::string wide = "time";
+  for (int i = 0; i < 999; ++i) wide += ",F" + std::to_string(i);
+  wide += "\n";
+  while (wide.size() < 100'000) wide += std::string(999, ',') + "\n";
+  at.folder.write("wide.csv", wide);
+  const auto refused = [&](const std::function<std::string(int)>& curve, int checks) {
+    std::string text = kSoundCase;
+    for (int i = 0; i < checks; ++i) {
+      text += "  - {name: c" + std::to_string(i) +
+              ", quantity: FLIM, against: {curve: " + curve(i) +
+              "}, tolerance: {relative: 1, why: x}}\n";
+    }
+    const std::vector<std::string> found = messages(text, {}, at.path);
+    return std::count_if(found.begin(), found.end(), [](const std::string& message) {
+      return message.ends_with(
+          "files of numbers are read again and again: too often for a case; compare with a file in "
+          "one format, and with few columns of one that lacks samples");
+    });
+  };
+  const auto skipping = [](int i) { return "{file: wide.csv, skip: " + std::to_string(i) + "}"; };
+  CHECK(refused(skipping, 60) == 0);
+  CHECK(refused(skipping, 200) > 10);
+  const auto spelt = [](int i) {
+    std::string path = "wide.csv";
+    for (int k = 0; k < i; ++k) path.insert(0, "./");
+    return path + ", column: F1";
+  };
+  CHECK(refused(spelt, 60) == 0);
+  CHECK(refused(spelt, 200) > 10);
+  const auto held = [](int i) {
+    return "{file: wide.csv, missing: hold}, column: F" + std::to_string(i);
+  };
+  CHECK(refused(held, 500) == 0);
+  CHECK(refused(held, 990) > 10);
+  // One format of one file.
+  CHECK(refused([](int i) { return "wide.csv, column: F" + std::to_string(i); }, 990) == 0);
 }
 
 TEST_CASE("A tolerance of positions is enough where positions are compared") {
