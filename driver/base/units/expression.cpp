@@ -13,6 +13,8 @@
 #include <numbers>
 #include <optional>
 #include <system_error>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "driver/base/text/letters.hpp"
@@ -139,6 +141,31 @@ tl::expected<std::vector<Mention>, ExpressionError> scan(std::string_view text) 
   return mentions;
 }
 
+/// Finds names in a list.
+class NameSearch {
+ public:
+  NameSearch(std::span<const std::string> names, std::size_t searches) : names_(names) {
+    // To put a name into a map takes as long as to compare it some thirty times.
+    constexpr std::size_t kFewSearches = 30;
+    if (searches <= kFewSearches) return;
+    for (std::size_t i = 0; i < names.size(); ++i) by_name_.try_emplace(names[i], i);
+  }
+
+  std::optional<std::size_t> find(std::string_view name) const {
+    if (!by_name_.empty()) {
+      const auto it = by_name_.find(name);
+      return it == by_name_.end() ? std::nullopt : std::optional(it->second);
+    }
+    const auto it = std::find(names_.begin(), names_.end(), name);
+    if (it == names_.end()) return std::nullopt;
+    return static_cast<std::size_t>(it - names_.begin());
+  }
+
+ private:
+  std::span<const std::string> names_;
+  std::unordered_map<std::string_view, std::size_t> by_name_;
+};
+
 std::string syntax_message(const mu::ParserError& error) {
   const std::string& token = error.GetToken();
   switch (error.GetCode()) {
@@ -259,21 +286,20 @@ tl::expected<Expression, ExpressionError> Expression::compile(
     mentions.error().offset += to_offset(begin);
     return tl::unexpected(mentions.error());
   }
+  std::unordered_set<std::string_view> seen;
+  const NameSearch search(variables, mentions->size());
   for (const Mention& mention : *mentions) {
     const std::size_t offset = begin + mention.offset;
     const bool is_function =
         std::binary_search(function_names().begin(), function_names().end(), mention.name);
     if (is_function && mention.is_call) continue;
-    const auto seen = std::find_if(program->slots.begin(), program->slots.end(),
-                                   [&](const auto& slot) { return slot.name == mention.name; });
-    if (seen != program->slots.end()) continue;
+    if (!seen.insert(mention.name).second) continue;
 
     Program::Slot slot{mention.name, 0, false};
     double number = 0.0;
-    if (const auto it = std::find(variables.begin(), variables.end(), mention.name);
-        it != variables.end()) {
+    if (const auto place = search.find(mention.name)) {
       slot.is_variable = true;
-      slot.variable = static_cast<std::size_t>(it - variables.begin());
+      slot.variable = *place;
       program->used.push_back(mention.name);
     } else if (const auto constant = constants.find(mention.name); constant != constants.end()) {
       number = constant->second;

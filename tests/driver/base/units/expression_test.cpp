@@ -108,6 +108,32 @@ TEST_CASE("a copy of an expression works after the original is gone") {
   CHECK(assigned(std::vector{2.0}).value() == 4.15);
 }
 
+TEST_CASE("an expression of very many names is compiled as fast as it is read") {
+  // To compare each name with all others, 300 times, took more than ten seconds.
+  Names names;
+  std::string sum = "0";
+  std::vector<double> values;
+  const std::string letters = "abcdefghijklmnopqrsuvwxyzABCDEFGHIJKLMNOPQRSUVWXYZ";
+  for (const char first : letters) {
+    for (const char second : letters + "0123456789") {
+      const std::string name{first, second};
+      if (is_reserved_name(name) || names.size() == 2900) continue;
+      names.push_back(name);
+      values.push_back(1.0);
+      sum += "+" + name;
+    }
+  }
+  REQUIRE(names.size() == 2900);
+  for (int i = 0; i < 300; ++i) {
+    const auto expression = Expression::compile(sum, names);
+    REQUIRE(expression);
+    if (i > 0) continue;
+    CHECK((*expression)(values).value() == 2900.0);
+    CHECK(expression->used_variables().size() == 2900);
+    CHECK(expression->used_variables()[2899] == names[2899]);
+  }
+}
+
 TEST_CASE("an unknown name is reported with its name and position") {
   const ExpressionError error = compile_error("= 2/l1 + mu");
   CHECK(error.unknown_name == "l1");
