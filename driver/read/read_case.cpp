@@ -62,7 +62,7 @@ void report(yaml::Binder& binder, const yaml::Node& root, base::Diagnostics& out
 
 /// Resolves what can be resolved: parameters that are faulty, or use a faulty one, are left out.
 void resolve(yaml::Binder& binder, const yaml::Node& root, base::Diagnostics& out,
-             std::vector<Definition> parameters, std::vector<Definition> overrides,
+             const std::vector<Definition>& parameters, const std::vector<Definition>& overrides,
              std::span<const std::string> names, Parameters& result) {
   const auto texts = [](const std::vector<Definition>& definitions) {
     std::vector<base::ParameterText> list;
@@ -70,42 +70,20 @@ void resolve(yaml::Binder& binder, const yaml::Node& root, base::Diagnostics& ou
     for (const Definition& definition : definitions) list.push_back(definition.text);
     return list;
   };
-  // Each round takes away those that the last one had taken their names from: a chain as long as
-  // kMostRounds is followed to its end, and all of a longer one counts as unresolved.
-  constexpr int kMostRounds = 8;
-  for (int round = 0; round < kMostRounds; ++round) {
-    auto resolved = base::resolve_parameters(texts(parameters), texts(overrides));
-    if (resolved) {
-      result.values = std::move(*resolved);
-      return;
-    }
-    std::vector<std::string> faulty;
-    std::vector<std::size_t> unknown_overrides;
-    for (const base::ParameterError& error : resolved.error()) {
-      const std::vector<Definition>& list = error.in_override ? overrides : parameters;
-      const std::string& name = list[error.index].text.name;
-      const bool declared = std::find(names.begin(), names.end(), name) != names.end();
-      const std::string& unknown = error.error.unknown_name;
-      const bool consequence = std::find(result.unresolved.begin(), result.unresolved.end(),
-                                         unknown) != result.unresolved.end();
-      if (!consequence) report(binder, root, out, list[error.index], error, names);
-      if (declared) {
-        faulty.push_back(name);
-      } else {
-        unknown_overrides.push_back(error.index);
-      }
-    }
-    for (auto it = unknown_overrides.rbegin(); it != unknown_overrides.rend(); ++it) {
-      overrides.erase(overrides.begin() + static_cast<std::ptrdiff_t>(*it));
-    }
-    const auto is_faulty = [&](const Definition& definition) {
-      return std::find(faulty.begin(), faulty.end(), definition.text.name) != faulty.end();
-    };
-    std::erase_if(parameters, is_faulty);
-    std::erase_if(overrides, is_faulty);
-    result.unresolved.insert(result.unresolved.end(), faulty.begin(), faulty.end());
+  base::ResolvedParameters resolved = base::resolve_parameters(texts(parameters), texts(overrides));
+  for (const base::ParameterError& error : resolved.errors) {
+    // The fault of a parameter that could not be read is reported already.
+    const bool consequence = std::find(result.unresolved.begin(), result.unresolved.end(),
+                                       error.error.unknown_name) != result.unresolved.end();
+    const std::vector<Definition>& list = error.in_override ? overrides : parameters;
+    if (!consequence) report(binder, root, out, list[error.index], error, names);
   }
-  for (const Definition& parameter : parameters) result.unresolved.push_back(parameter.text.name);
+  result.values = std::move(resolved.values);
+  for (const Definition& parameter : parameters) {
+    if (!result.values.contains(parameter.text.name)) {
+      result.unresolved.push_back(parameter.text.name);
+    }
+  }
 }
 
 /// A setting that carries its unit, as a number of the case's system.
@@ -175,7 +153,7 @@ Parameters read_parameters(const yaml::Node& root, const base::UnitSystem& units
   for (const base::ParameterText& text : options.overrides) {
     overrides.push_back({in_case_units(text, units, root, out), std::nullopt});
   }
-  resolve(binder, root, out, std::move(parameters), std::move(overrides), names, result);
+  resolve(binder, root, out, parameters, overrides, names, result);
   return result;
 }
 

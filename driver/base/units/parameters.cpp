@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 
@@ -22,18 +24,22 @@ struct Entry {
   const ParameterText* source = nullptr;  ///< The definition that counts: the last override.
   std::size_t index = 0;
   bool in_override = false;
+  bool misnamed = false;  ///< So that it has no value for others.
   Progress progress = Progress::kUntouched;
   double value = 0.0;
   std::optional<Expression> expression;
   std::vector<std::size_t> uses;  ///< The entries its expression mentions.
 };
 
+/// Where a parameter stands among all.
+using IndexByName = std::unordered_map<std::string_view, std::size_t>;
+
 /// Depth-first evaluation on a stack of its own, so that a chain of any length is no danger.
 class Resolver {
  public:
   Resolver(std::vector<Entry> entries, const std::vector<std::string>& names,
-           std::vector<ParameterError>& errors)
-      : entries_(std::move(entries)), names_(names), errors_(errors) {}
+           const IndexByName& places, std::vector<ParameterError>& errors)
+      : entries_(std::move(entries)), names_(names), places_(places), errors_(errors) {}
 
   void resolve_all() {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -42,6 +48,9 @@ class Resolver {
   }
 
   const std::vector<Entry>& entries() const { return entries_; }
+  static bool has_value(const Entry& entry) {
+    return entry.progress == Progress::kDone && !entry.misnamed;
+  }
 
  private:
   struct Frame {
@@ -88,8 +97,7 @@ class Resolver {
       return;
     }
     for (const std::string& name : expression->used_variables()) {
-      const auto it = std::find(names_.begin(), names_.end(), name);
-      entry.uses.push_back(static_cast<std::size_t>(it - names_.begin()));
+      entry.uses.push_back(places_.at(name));
     }
     entry.expression = std::move(*expression);
   }
@@ -97,7 +105,7 @@ class Resolver {
   void evaluate(Entry& entry) {
     values_.assign(names_.size(), 0.0);
     for (const std::size_t used : entry.uses) {
-      if (entries_[used].progress != Progress::kDone) {
+      if (!has_value(entries_[used])) {
         entry.progress = Progress::kFailed;
         return;
       }
@@ -132,6 +140,7 @@ class Resolver {
 
   std::vector<Entry> entries_;
   const std::vector<std::string>& names_;
+  const IndexByName& places_;
   std::vector<ParameterError>& errors_;
   std::vector<Frame> stack_;
   std::vector<double> values_;
@@ -157,30 +166,35 @@ std::optional<ExpressionError> name_violation(const std::string& name) {
 
 }  // namespace
 
-tl::expected<NamedNumbers, std::vector<ParameterError>> resolve_parameters(
-    std::span<const ParameterText> parameters, std::span<const ParameterText> overrides) {
-  std::vector<ParameterError> errors;
+ResolvedParameters resolve_parameters(std::span<const ParameterText> parameters,
+                                      std::span<const ParameterText> overrides) {
+  ResolvedParameters resolved;
+  std::vector<ParameterError>& errors = resolved.errors;
   std::vector<std::string> names;
+  IndexByName places;
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::string& name = parameters[i].name;
+    // A badly named parameter is still known, so that its users are not reported as well.
+    Entry entry;
     if (auto violation = name_violation(name)) {
       errors.push_back({i, false, true, std::move(*violation)});
-    } else if (std::find(names.begin(), names.end(), name) != names.end()) {
+      entry.misnamed = true;
+    } else if (const auto first = places.find(name); first != places.end()) {
+      entries[first->second].misnamed = true;
       errors.push_back(
           {i, false, true, {fmt::format("parameter '{}' is defined twice", name), -1, {}}});
       continue;
     }
-    // A badly named parameter is still known, so that its users are not reported as well.
-    Entry entry;
     entry.source = &parameters[i];
     entry.index = i;
+    places.try_emplace(name, names.size());
     names.push_back(name);
     entries.push_back(std::move(entry));
   }
   for (std::size_t i = 0; i < overrides.size(); ++i) {
-    const auto it = std::find(names.begin(), names.end(), overrides[i].name);
-    if (it == names.end()) {
+    const auto it = places.find(overrides[i].name);
+    if (it == places.end()) {
       errors.push_back(
           {i,
            true,
@@ -188,19 +202,19 @@ tl::expected<NamedNumbers, std::vector<ParameterError>> resolve_parameters(
            {fmt::format("there is no parameter '{}'", overrides[i].name), -1, overrides[i].name}});
       continue;
     }
-    Entry& entry = entries[static_cast<std::size_t>(it - names.begin())];
+    Entry& entry = entries[it->second];
     entry.source = &overrides[i];
     entry.index = i;
     entry.in_override = true;
   }
 
-  Resolver resolver(std::move(entries), names, errors);
+  Resolver resolver(std::move(entries), names, places, errors);
   resolver.resolve_all();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  NamedNumbers values;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    values.emplace(names[i], resolver.entries()[i].value);
-  return values;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Entry& entry = resolver.entries()[i];
+    if (Resolver::has_value(entry)) resolved.values.emplace(names[i], entry.value);
+  }
+  return resolved;
 }
 
 tl::expected<std::vector<ParameterText>, std::string> parse_settings(

@@ -27,19 +27,25 @@ struct ParameterError {
   ExpressionError error;       ///< Its offset counts in the expression's text.
 };
 
+/// Parameters with their values, and the faults of others.
+struct ResolvedParameters {
+  NamedNumbers values;  ///< of those that neither are faulty nor use one that is
+  std::vector<ParameterError> errors;
+};
+
 /// So many parameters a case has, at most: the formula of each knows the names of all.
 inline constexpr std::size_t kMostParameters = 2000;
 
 /// Gives every parameter its value.
 ///
 /// Parameters may use one another in any order. An override replaces the value of the parameter
-/// of its name; of two overrides of one name the last counts. Errors, all of them at once and at
-/// most one per parameter: a name that is no identifier, is reserved or is taken, an override of an
-/// unknown parameter, a value that is not finite, whatever `Expression` refuses, and parameters
-/// that define each other in a circle (reported once, naming the circle). A parameter that merely
-/// uses a faulty one is not reported.
-tl::expected<NamedNumbers, std::vector<ParameterError>> resolve_parameters(
-    std::span<const ParameterText> parameters, std::span<const ParameterText> overrides = {});
+/// of its name; of two overrides of one name the last counts. Errors, all of them at once: a name
+/// that is no identifier, is reserved or is taken, an override of an unknown parameter, a value
+/// that is not finite, whatever `Expression` refuses, and parameters that define each other in a
+/// circle (reported once, naming the circle). A parameter that merely uses a faulty one is not
+/// reported.
+ResolvedParameters resolve_parameters(std::span<const ParameterText> parameters,
+                                      std::span<const ParameterText> overrides = {});
 
 /// `--set name=value` taken apart; the value is a number or an expression over other parameters.
 /// Errors: no '=', nothing before or after it.

@@ -256,8 +256,18 @@ TEST_CASE("Faulty parameters are reported where they stand, not where they are u
         std::vector<std::string>{
             "4:29: error: parameters.li: unknown name 'lii'; did you mean 'li'?",
             "4:42: error: parameters.mu: unknown name 'nu'; define it under 'parameters:'"});
-  // What can be evaluated is judged all the same.
+  // What can be evaluated is judged all the same, however long the chain of those that cannot.
   CHECK(messages(changed({{"li: 0.55", "li: = lii"}, {"mu: 0.15", "mu: -1"}})).size() == 2);
+  std::string chain = "li: = c0, c0: = nowhere";
+  for (int i = 1; i < 20; ++i) {
+    chain += ", c" + std::to_string(i) + ": = c" + std::to_string(i - 1);
+  }
+  const auto both = messages(changed({{"li: 0.55", chain}, {"mu: 0.15", "mu: -1"}}));
+  REQUIRE(both.size() == 2);
+  CHECK(both[0] ==
+        "4:39: error: parameters.c0: unknown name 'nowhere'; define it under "
+        "'parameters:'");
+  CHECK(both[1].starts_with("16:18: error: friction[0].coefficient: must be at least 0"));
 }
 
 }  // namespace

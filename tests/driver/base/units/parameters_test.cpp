@@ -13,29 +13,28 @@ using Parameters = std::vector<ParameterText>;
 
 std::vector<ParameterError> errors_of(const Parameters& parameters,
                                       const Parameters& overrides = {}) {
-  const auto values = resolve_parameters(parameters, overrides);
-  REQUIRE_FALSE(values);
-  return values.error();
+  return resolve_parameters(parameters, overrides).errors;
 }
 
 TEST_CASE("parameters may use each other in any order") {
-  const auto values = resolve_parameters(
+  const ResolvedParameters resolved = resolve_parameters(
       Parameters{{"c", "= a + b"}, {"a", 2.0}, {"b", "= 3*a"}, {"angle", "= pi/2"}});
-  REQUIRE(values);
-  CHECK(values->at("c") == 8.0);
-  CHECK(values->at("b") == 6.0);
-  CHECK(values->at("angle") == 1.5707963267948966);
-  CHECK(values->size() == 4);
+  REQUIRE(resolved.errors.empty());
+  CHECK(resolved.values.at("c") == 8.0);
+  CHECK(resolved.values.at("b") == 6.0);
+  CHECK(resolved.values.at("angle") == 1.5707963267948966);
+  CHECK(resolved.values.size() == 4);
 }
 
 TEST_CASE("an override replaces a parameter and everything that follows from it") {
   const Parameters parameters = {{"mu", "= 1/0"}, {"limit", "= 100*mu"}};
-  const auto values = resolve_parameters(parameters, Parameters{{"mu", 0.5}});
-  REQUIRE(values);
-  CHECK(values->at("limit") == 50.0);
-  const auto twice = resolve_parameters(parameters, Parameters{{"mu", 0.5}, {"mu", "= 2*0.1"}});
-  REQUIRE(twice);
-  CHECK(twice->at("limit") == 20.0);
+  const ResolvedParameters resolved = resolve_parameters(parameters, Parameters{{"mu", 0.5}});
+  REQUIRE(resolved.errors.empty());
+  CHECK(resolved.values.at("limit") == 50.0);
+  const ResolvedParameters twice =
+      resolve_parameters(parameters, Parameters{{"mu", 0.5}, {"mu", "= 2*0.1"}});
+  REQUIRE(twice.errors.empty());
+  CHECK(twice.values.at("limit") == 20.0);
 }
 
 TEST_CASE("an override of an unknown parameter is an error") {
@@ -74,6 +73,23 @@ TEST_CASE("every faulty parameter is reported, its users are not") {
   CHECK(errors[2].error.message == "1/zero divides by zero at zero = 0");
 }
 
+TEST_CASE("parameters have their values beside faulty ones that they do not use") {
+  const ResolvedParameters resolved = resolve_parameters(Parameters{{"a", "= 1 + unknown"},
+                                                                    {"b", "= c"},
+                                                                    {"c", "= a"},
+                                                                    {"d", "= 2*e"},
+                                                                    {"e", 3.0},
+                                                                    {"no name", 1.0},
+                                                                    {"x", "= y"},
+                                                                    {"y", "= x"},
+                                                                    {"z", "= y + e"},
+                                                                    {"twice", 1.0},
+                                                                    {"twice", 2.0},
+                                                                    {"w", "= twice"}});
+  CHECK(resolved.errors.size() == 4);
+  CHECK(resolved.values == NamedNumbers{{"d", 6.0}, {"e", 3.0}});
+}
+
 TEST_CASE("a parameter's name must be free and an identifier") {
   for (const char* name : {"pi", "t", "T", "sin", "2a", "a b", "", "a.b"}) {
     const auto errors = errors_of({{name, 1.0}, {"user", "= 2"}});
@@ -106,9 +122,9 @@ TEST_CASE("a long chain of parameters is resolved") {
     parameters.push_back({"p" + std::to_string(i), "= 1 + p" + std::to_string(i + 1)});
   }
   parameters.push_back({"p" + std::to_string(kLength), 0.0});
-  const auto values = resolve_parameters(parameters);
-  REQUIRE(values);
-  CHECK(values->at("p0") == 300.0);
+  const ResolvedParameters resolved = resolve_parameters(parameters);
+  REQUIRE(resolved.errors.empty());
+  CHECK(resolved.values.at("p0") == 300.0);
 }
 
 }  // namespace
