@@ -292,10 +292,13 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
     return std::nullopt;
   }
   if (is_expression(node)) {
-    // Most expressions are the name of a parameter and nothing else: no need to compile that.
-    if (const auto known = parameters_.find(bare(node.text())); known != parameters_.end()) {
+    // Most expressions are the name of a parameter and nothing else, and an alias repeats others in
+    // many places: no need to compile those.
+    const auto parameter = parameters_.find(bare(node.text()));
+    const auto known = evaluated_.find(node.text());
+    if (parameter != parameters_.end() || known != evaluated_.end()) {
       if (formulas_) formulas_->push_back({path.text(), std::string(node.text()), true});
-      return known->second;
+      return parameter != parameters_.end() ? parameter->second : known->second;
     }
     const auto compiled = expression(node, path, {});
     if (!compiled) return std::nullopt;
@@ -304,6 +307,7 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
       expression_error(node, path, value.error(), {});
       return std::nullopt;
     }
+    evaluated_.emplace(node.text(), *value);
     return *value;
   }
   const auto value = base::parse_number(node.text());

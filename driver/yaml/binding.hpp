@@ -245,6 +245,7 @@ class Binder {
   bool standard_input_refused_ = false;
   bool environment_failed_ = false;
   bool unknown_names_excused_ = false;
+  std::map<std::string, double, std::less<>> evaluated_;  ///< formulas over parameters, by texts
 };
 
 /// Bounds in words: "at least 0", "greater than 0", "between 0 and 1"; empty if any number will do.

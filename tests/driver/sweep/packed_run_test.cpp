@@ -153,6 +153,17 @@ std::string with(std::string text, const std::string& part, const std::string& o
   return text.replace(at, part.size(), other);
 }
 
+TEST_CASE("a formula that stands in several places is varied in each of them") {
+  std::string same =
+      with(kPlane, "[= 0.2*ms, 5, 0], [= 0.25*ms, 0, 9]", "[= 0.30*ms, 5, 0], [= 0.1*ms, 0, 9]");
+  same = with(same, "[= 95*fs, 1]", "[= 100*fs, 1]");
+  const Written written(
+      same,
+      "  vary: {ms: {uniform: [0.8, 1.2]}, fs: {normal: [1, 0.05]}}\n"
+      "  samples: 100\n  collect: {two: {magnitude: CSF2}, limit: {max: FLIM}}\n");
+  CHECK(compare(written.sweep()) == 0);
+}
+
 TEST_CASE("samples that the reader refuses fail beside packs with its sentence") {
   const Written written(kSlot, with(kVarySlot, "[0.1, 0.3]", "[-0.1, 0.3]") + kAll);
   CHECK(compare(written.sweep()) > 30);
