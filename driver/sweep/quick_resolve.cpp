@@ -294,14 +294,19 @@ std::optional<QuickResolve> QuickResolve::make(const Sweep& sweep) {
     if (!formula.is_number && formula.path.starts_with("checks[")) of_checks.insert(formula.path);
   }
   std::set<std::string> seen;
+  std::set<std::string_view> idle;  // texts that use no varied parameter: many may be the same
   for (const yaml::Formula& formula : formulas) {
-    if (of_checks.contains(formula.path)) continue;
+    if (of_checks.contains(formula.path) || idle.contains(formula.text)) continue;
     auto number = quick.number_of(formula.text, base.parameters);
     if (!number) {
-      if (quick.is_independent(formula.text, base.parameters)) continue;
-      return std::nullopt;
+      if (!quick.is_independent(formula.text, base.parameters)) return std::nullopt;
+      idle.insert(formula.text);
+      continue;
     }
-    if (number->expression && number->expression->used_variables().empty()) continue;
+    if (number->expression && number->expression->used_variables().empty()) {
+      idle.insert(formula.text);
+      continue;
+    }
     if (!seen.insert(formula.path).second) continue;
     auto target = quick.target_at(formula.path, base);
     if (!target) return std::nullopt;
