@@ -62,7 +62,7 @@ double SobolEstimate::Sums::variance() const {
   return sum_about_means(count, both, both, squares) / count;
 }
 
-/// What the indices of all parameters have in common, of some rows.
+/// Parts of the indices that all parameters have in common, of some rows.
 struct SobolEstimate::Basis {
   double rows = 0.0;
   double mean = 0.0;
