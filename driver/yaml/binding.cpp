@@ -286,20 +286,23 @@ void Binder::refuse_unsettled_units() {
   unsettled_.clear();
 }
 
+std::optional<double> Binder::known_number(const Node& node, const Path& path) {
+  auto known = parameters_.find(bare(node.text()));
+  if (known == parameters_.end()) {
+    known = evaluated_.find(node.text());
+    if (known == evaluated_.end()) return std::nullopt;
+  }
+  if (formulas_) formulas_->push_back({path.text(), std::string(node.text()), true});
+  return known->second;
+}
+
 std::optional<double> Binder::number(const Node& node, const Path& path, const KeyInfo& info) {
   if (!node.is_scalar()) {
     wrong_kind(node, path, "a number");
     return std::nullopt;
   }
   if (is_expression(node)) {
-    // Most expressions are the name of a parameter and nothing else, and an alias repeats others in
-    // many places: no need to compile those.
-    const auto parameter = parameters_.find(bare(node.text()));
-    const auto known = evaluated_.find(node.text());
-    if (parameter != parameters_.end() || known != evaluated_.end()) {
-      if (formulas_) formulas_->push_back({path.text(), std::string(node.text()), true});
-      return parameter != parameters_.end() ? parameter->second : known->second;
-    }
+    if (const auto known = known_number(node, path)) return known;
     const auto compiled = expression(node, path, {});
     if (!compiled) return std::nullopt;
     const auto value = (*compiled)({});

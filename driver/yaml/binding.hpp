@@ -117,6 +117,9 @@ class Binder {
   void note_formulas(std::vector<Formula>* formulas) { formulas_ = formulas; }
   bool is_parameter(std::string_view name) const { return parameters_.contains(name); }
 
+  /// Returns the number of a formula that is the name of a parameter, or that was evaluated before;
+  /// nothing of others. An alias may repeat either in many places.
+  std::optional<double> known_number(const Node& node, const Path& path);
   /// A number in the case's system: a plain scalar, one with a unit ("12 mm"), or an expression
   /// over the parameters ("= 2/li").
   /// \return nothing after reporting an error
@@ -245,7 +248,7 @@ class Binder {
   bool standard_input_refused_ = false;
   bool environment_failed_ = false;
   bool unknown_names_excused_ = false;
-  std::map<std::string, double, std::less<>> evaluated_;  ///< formulas over parameters, by texts
+  base::NamedNumbers evaluated_;  ///< formulas over parameters, by their texts
 };
 
 /// Bounds in words: "at least 0", "greater than 0", "between 0 and 1"; empty if any number will do.

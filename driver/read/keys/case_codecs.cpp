@@ -565,6 +565,10 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
                                                                        : cases::motion_name(c));
       }
       if (binder.has_too_many_formulas()) return count_formula(binder, node, path);
+      if (const auto known = binder.known_number(node, path)) {
+        out.profile = history::Constant{*known};
+        return true;
+      }
       auto compiled = binder.expression(node, path, variables);
       if (!compiled) return false;
       const auto used = compiled->used_variables();
@@ -573,17 +577,13 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
         out.profile = history::PositionFormula{std::move(*compiled)};
         return true;
       }
+      if (used.empty()) {
+        const auto value = binder.number(node, path, info);
+        if (value) out.profile = history::Constant{*value};
+        return value.has_value();
+      }
       variables.resize(2);
       compiled = binder.expression(node, path, variables);
-      if (compiled->used_variables().empty()) {
-        const auto value = (*compiled)(std::array{0.0, 0.0});
-        if (!value) {
-          binder.expression_error(node, path, value.error(), variables);
-          return false;
-        }
-        out.profile = history::Constant{*value};
-        return true;
-      }
       if (!count_formula(binder, node, path)) return false;
       out.profile = history::ExpressionProfile{std::move(*compiled)};
       return true;

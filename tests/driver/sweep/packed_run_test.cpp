@@ -223,8 +223,8 @@ TEST_CASE("a pack of many steps knows at once which forces act in them") {
 
 TEST_CASE("formulas of checks are told from those of a run by their paths, however many") {
   // Each of 100,000 with all others would be 10^10 comparisons.
-  std::string list = "[= mu";
-  for (int i = 1; i < 1000; ++i) list += ", = mu";
+  std::string list = "[= 2*mu";
+  for (int i = 1; i < 1000; ++i) list += ", = 2*mu";
   list += "]";
   std::string problem =
       kHead +
