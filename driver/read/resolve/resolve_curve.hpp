@@ -31,7 +31,7 @@ std::optional<AbscissaChoice> read_abscissa(yaml::Binder& binder, const CheckTex
                                             const std::vector<std::string>& variables,
                                             const cases::Case& problem);
 
-/// What the checks of a case have read so far: the curve whose header was read last, which as a
+/// State of reading the curves of a case's checks: the one whose header was read last, which as a
 /// rule the next check names again, and which files and samples are there.
 struct OpenCurve {
   base::DataSource source;
