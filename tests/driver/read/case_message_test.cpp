@@ -227,6 +227,7 @@ TEST_CASE("All faults of a measured history are shown at once") {
       "    temperature: {colum: x}\n  hold: maybe\n";
   CHECK(messages(cut("history:", faulty), {}, folder.path()) ==
         std::vector<std::string>{
+            // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): each message is one text
             "23:30: error: history.columns.f2.unit: unit 'lb' does not measure a force; it is a "
             "mass, the force is 'lbf'",
             "24:5: error: history.columns.CP2: a CYLINDRICAL connector holds component 2 (its "

@@ -109,8 +109,11 @@ TEST_CASE("of a cycle of too many rows none is drawn in part") {
 }
 
 TEST_CASE("a motion that never turns has no cycle") {
-  std::vector<double> motion;
-  for (int i = 0; i < 5000; ++i) motion.push_back(1e-3 * i + 0.01 * std::sin(i));
+  std::vector<double> motion(5000);
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const auto t = static_cast<double>(i);
+    motion[i] = 1e-3 * t + 0.01 * std::sin(t);
+  }
   const DrawnRows drawn = choice_of(motion, 400).finish();
   CHECK(drawn.thinned);
   CHECK(drawn.cycles.empty());
@@ -130,7 +133,7 @@ TEST_CASE("of many columns fewer rows stay") {
     const std::vector<double> row(columns, 1.0);
     for (int i = 0; i < 50000; ++i) choice.add(row, false);
     CHECK(choice.thinned() == (columns > 64));
-    CHECK(choice.finish().rows.numbers.size() <= 64 * 50000);
+    CHECK(choice.finish().rows.numbers.size() <= std::size_t{64} * 50000);
   }
 }
 

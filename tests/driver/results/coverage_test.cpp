@@ -131,7 +131,7 @@ TEST_CASE("cells are counted for as long as all tables together have not too man
   REQUIRE(coverage.tables().size() == 3);
   std::size_t cells = 0;
   for (const TableCoverage& one : coverage.tables()) cells += one.visits.size();
-  CHECK(cells == 1399 * 699);
+  CHECK(cells == std::size_t{1399} * 699);
   CHECK(coverage.tables()[2].increments == 1);
   CHECK(coverage.text().find("the cells of 2 tables are not counted: more than 1048576 in all") !=
         std::string::npos);
@@ -157,8 +157,8 @@ TEST_CASE("an increment is counted without a look at the tables of other steps")
 }
 
 TEST_CASE("the cells of very many tables are not all named") {
-  std::vector<std::vector<double>> rows;
-  for (int i = 0; i < 1002; ++i) rows.push_back({0.1, 1.0 * i});
+  std::vector<std::vector<double>> rows(1002);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = {0.1, static_cast<double>(i)};
   const cases::Case problem =
       changing_case(150, table_of(rows, {{law::IndependentKind::kSlipRate}}));
   const std::string json = Coverage(problem).to_json().dump();
