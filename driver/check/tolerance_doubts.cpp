@@ -56,7 +56,7 @@ std::vector<std::string> tolerance_doubts(const cases::Tolerance& tolerance,
   const bool is_relative = of_scale >= absolute;
   const double unit = is_relative ? use.scale : 1.0;
   const double advised = use.scale > 0.0 ? one_digit_up(enough / unit) : 0.0;
-  // Who has taken the advice is not told again.
+  // An advised tolerance is not doubted in turn.
   if (use.scale > 0.0 && bound > advised * unit * (1.0 + 1e-9) && use.worst * kLoose < bound &&
       enough >= digits) {
     const std::string seen = use.worst > 0.0

@@ -131,7 +131,7 @@ tl::expected<abaqus::RecordedHistory, std::string> recorded_history(const Import
   if (time == columns.end()) {
     return tl::unexpected(name + ": has no column called time, or t");
   }
-  // Of names that are folded into one the first column holds.
+  // The first of several columns whose names are the same when folded is taken.
   for (const std::string& column : columns) {
     history.columns.try_emplace(abaqus::folded(column), column);
   }

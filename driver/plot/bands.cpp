@@ -20,7 +20,7 @@ namespace {
 
 /// Marks nearer to each other than this part of the time would cover one another.
 constexpr double kNearest = 0.006;
-/// Of more definitions the first have a band: a case has as many where each is a ring of a belt.
+/// Bands of one picture, those of the first definitions: a belt may have as many rings.
 constexpr int kMostBands = 100;
 
 /// A part of the time, in percent.

@@ -19,7 +19,7 @@ constexpr std::size_t most_rows(std::size_t cases) {
   constexpr std::size_t kFewest = 2500;
   return std::clamp(10 * kMostRows / std::max<std::size_t>(cases, 1), kFewest, kMostRows);
 }
-/// Of more columns there are fewer rows: a row of a belt of 100 rings has 500 numbers.
+/// Columns up to which a page has all these rows; a row of a belt of 100 rings has 500 numbers.
 inline constexpr std::size_t kColumnsOfMostRows = 64;
 
 /// Rows with their numbers, in their order.
@@ -71,13 +71,13 @@ class CycleFinder {
 
 /// Chooses the rows of a page while they come, however many there will be.
 ///
-/// Of up to `limit` rows all stay; of more than kColumnsOfMostRows columns the limit is smaller in
-/// that ratio. Of more: the first and the last row of limit/8 to limit/4 pieces of equal length,
-/// and the extremes of all columns in each (PieceExtremes); the wanted rows (before and after an
-/// event), the first and the last limit/16 of them; and, where a motion goes to and fro, whole
-/// cycles with all their rows, as far as one has at most limit/4: the first, the last, and between
-/// them the 2nd, 5th, 10th, 20th and so on, as many as `limit` rows allow. Of several motions the
-/// one with the longest cycle counts. The memory does not grow with the run.
+/// All rows stay up to `limit`, which is smaller in the ratio of the columns where they are more
+/// than kColumnsOfMostRows. Of more rows: the first and the last row of limit/8 to limit/4 pieces
+/// of equal length, and the extremes of all columns in each (PieceExtremes); the wanted rows
+/// (before and after an event), the first and the last limit/16 of them; and, where a motion goes
+/// to and fro, whole cycles with all their rows, as far as one has at most limit/4: the first, the
+/// last, and between them the 2nd, 5th, 10th, 20th and so on, as many as `limit` rows allow. Of
+/// several motions the one with the longest cycle counts. The memory does not grow with the run.
 class RowChoice {
  public:
   /// \param columns of a row

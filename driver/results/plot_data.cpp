@@ -89,7 +89,7 @@ class Selection {
 
   const ResultLayout& layout_;
   PlotData& data_;
-  /// Of the columns of the result, those among the drawn ones; -1 if it is none yet.
+  /// Places among the drawn columns, by the names of the result's; -1: not drawn so far.
   std::unordered_map<std::string_view, int> places_;
 };
 

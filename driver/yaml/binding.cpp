@@ -315,7 +315,7 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
   }
   const auto value = base::parse_number(node.text());
   if (!value && base::carries_unit(node.text())) return number_with_unit(node, path, info);
-  // Of a decimal comma, which is why some write quotes, the error says more.
+  // A decimal comma, for which some write quotes, has an error of its own.
   if (node.quoted() && (value || node.text().find(',') == std::string_view::npos)) {
     error(node, path, "wanted a number, found the text " + base::in_quotes(node.text()),
           "a number stands without quotes");

@@ -31,7 +31,7 @@ struct Entry {
   std::vector<std::size_t> uses;  ///< The entries its expression mentions.
 };
 
-/// Where a parameter stands among all.
+/// Places of parameters among all, by their names.
 using IndexByName = std::unordered_map<std::string_view, std::size_t>;
 
 /// Depth-first evaluation on a stack of its own, so that a chain of any length is no danger.

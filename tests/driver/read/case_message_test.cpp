@@ -257,7 +257,7 @@ TEST_CASE("Faulty parameters are reported where they stand, not where they are u
         std::vector<std::string>{
             "4:29: error: parameters.li: unknown name 'lii'; did you mean 'li'?",
             "4:42: error: parameters.mu: unknown name 'nu'; define it under 'parameters:'"});
-  // What can be evaluated is judged all the same, however long the chain of those that cannot.
+  // Other parameters are judged all the same, however long the chain of faulty ones.
   CHECK(messages(changed({{"li: 0.55", "li: = lii"}, {"mu: 0.15", "mu: -1"}})).size() == 2);
   std::string chain = "li: = c0, c0: = nowhere";
   for (int i = 1; i < 20; ++i) {
