@@ -73,12 +73,6 @@ law::StickStiffness stick_of(const law::FrictionDefinition& definition) {
   return {law::StickStiffness::Mode::kStiffness, spring->stiffness};
 }
 
-std::string text_of(const std::vector<std::vector<std::string>>& rows) {
-  std::string text;
-  for (const auto& row : rows) text += data_lines(row);
-  return text;
-}
-
 }  // namespace
 
 int DeckParts::fields_of(const law::TableFunction& table) {
@@ -93,8 +87,8 @@ std::string DeckParts::dependencies(int fields) {
   return fields > 0 ? fmt::format(", DEPENDENCIES={}", fields) : std::string();
 }
 
-std::vector<std::vector<std::string>> DeckParts::rows(const law::TableFunction& function,
-                                                      const std::vector<Independent>& columns) {
+std::string DeckParts::rows(const law::TableFunction& function,
+                            const std::vector<Independent>& columns) {
   const law::Table& table = function.table();
   const auto independents = function.independents();
   // Places of the table's independents among the columns; the first varies fastest in both.
@@ -126,8 +120,7 @@ std::vector<std::vector<std::string>> DeckParts::rows(const law::TableFunction& 
     });
   }
   const auto dependents = static_cast<std::size_t>(table.dependents());
-  std::vector<std::vector<std::string>> all;
-  all.reserve(order.size());
+  std::string text;
   for (const std::size_t row : order) {
     std::vector<std::string> items(dependents + columns.size());
     for (std::size_t k = 0; k < dependents; ++k) {
@@ -136,9 +129,9 @@ std::vector<std::vector<std::string>> DeckParts::rows(const law::TableFunction& 
     const std::vector<double> point = table.point(row);
     for (std::size_t k = 0; k < place.size(); ++k)
       items[dependents + place[k]] = numbers_(point[k]);
-    all.push_back(std::move(items));
+    text += data_lines(items);
   }
-  return all;
+  return text;
 }
 
 /// A behaviour has one extrapolation for all its tables but those of *FRICTION.
@@ -192,7 +185,7 @@ std::string DeckParts::springs() {
       take_extrapolation(table);
       const int fields = fields_of(table);
       text += keyword + component + ", NONLINEAR" + dependencies(fields) + "\n" +
-              text_of(rows(table, with_ambient({motion}, fields)));
+              rows(table, with_ambient({motion}, fields));
     };
     if (kinetic.elasticity[i]) {
       const law::Elasticity& spring = *kinetic.elasticity[i];
@@ -256,7 +249,7 @@ std::string DeckParts::derived(const std::string& name, const law::DerivedCompon
     const auto [parameter, numbers] = independent_components(motions);
     const int fields = fields_of(*term.weight_table);
     text += line + parameter + dependencies(fields) + "\n" + numbers + data_lines(components) +
-            text_of(rows(*term.weight_table, with_ambient(motions, fields)));
+            rows(*term.weight_table, with_ambient(motions, fields));
   }
   return text;
 }
@@ -392,7 +385,7 @@ std::string DeckParts::user_defined(const cases::CaseDefinition& definition) {
     columns.push_back({IndependentKind::kAccumulatedSlip, 0});
     const int fields = fields_of(table);
     text += line + parameter + dependencies(fields) + "\n" + numbers +
-            text_of(rows(table, with_ambient(columns, fields)));
+            rows(table, with_ambient(columns, fields));
   }
   return single ? text : text + potential(definition);
 }
@@ -471,9 +464,9 @@ std::string DeckParts::coefficient(const law::FrictionLaw& law, double force_lim
     }
     const int fields = fields_of(table->table);
     parameters = dependencies(fields);
-    data = text_of(rows(table->table, with_ambient({{IndependentKind::kSlipRate, 0},
-                                                    {IndependentKind::kContactForce, 0}},
-                                                   fields)));
+    data = rows(table->table,
+                with_ambient({{IndependentKind::kSlipRate, 0}, {IndependentKind::kContactForce, 0}},
+                             fields));
   } else {
     data = tabulated(law);
   }

@@ -47,9 +47,8 @@ class DeckParts {
   std::string tabulated(const law::FrictionLaw& law);
   [[noreturn]] static void refuse(const std::string& reason) { throw NotExported{reason}; }
   void note(Loss::Kind kind, std::string text) { losses_.push_back({kind, std::move(text)}); }
-  /// Rows of a table in the order of a deck's columns; empty items for those it does not see.
-  std::vector<std::vector<std::string>> rows(const law::TableFunction& table,
-                                             const std::vector<law::Independent>& columns);
+  /// Data lines of a table in the order of a deck's columns; empty items for those it does not see.
+  std::string rows(const law::TableFunction& table, const std::vector<law::Independent>& columns);
   static int fields_of(const law::TableFunction& table);
   static std::string dependencies(int fields);
   void take_extrapolation(const law::TableFunction& table);
