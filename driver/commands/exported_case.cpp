@@ -22,7 +22,7 @@ tl::expected<cases::Case, std::string> read_back(const cases::Case& problem,
                                                  const std::string& deck) {
   import::WrittenCase written;
   {
-    // What it was made of is given up before it is read: of a long table that would be much.
+    // The deck and its keywords end here: of a long table they would be most of the memory below.
     ImportOptions options;
     options.deck = "deck";
     options.text = base::SourceText("deck", deck);
