@@ -127,7 +127,9 @@ std::optional<ExactRefusal> refuse_exact(const cases::Case& problem) {
         "integration does not follow such a jump",
         "use backward_euler and small increments"};
   }
+  std::vector<law::FrictionDefinition> changed;
   for (const cases::CaseDefinition& definition : problem.definitions) {
+    changed.push_back(definition.law);
     if (definition.dead_zone) {
       return ExactRefusal{"friction '" + definition.name +
                               "' has a dead zone, which only backward_euler crosses: an increment "
@@ -144,11 +146,12 @@ std::optional<ExactRefusal> refuse_exact(const cases::Case& problem) {
   }
   for (const cases::Step& step : problem.steps) {
     for (const cases::FrictionChange& change : step.friction_changes) {
-      const cases::CaseDefinition& of = problem.definitions[change.definition];
-      law::FrictionDefinition changed = of.law;
-      changed.law = change.law;
-      changed.stick = change.stick;
-      if (auto refusal = refuse_definition(of.name, changed)) return refusal;
+      law::FrictionDefinition& now = changed[change.definition];
+      now.law = change.law;
+      now.stick = change.stick;
+      if (auto refusal = refuse_definition(problem.definitions[change.definition].name, now)) {
+        return refusal;
+      }
     }
   }
   return std::nullopt;

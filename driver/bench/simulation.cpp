@@ -339,10 +339,8 @@ void Simulation::note_falling_definitions() {
   for (std::size_t i = 0; i < definitions_.size(); ++i) {
     row_.definitions[i].thresholds = {};
     const bool backward = case_->definitions[i].backward.has_value();
-    law::FrictionDefinition other_way = definitions_[i];
-    if (backward) other_way.law = other_law_[i];
-    if (!law::has_increment_thresholds(definitions_[i]) &&
-        !law::has_increment_thresholds(other_way)) {
+    if (!law::has_increment_thresholds(definitions_[i], definitions_[i].law) &&
+        !(backward && law::has_increment_thresholds(definitions_[i], other_law_[i]))) {
       continue;
     }
     law::CoefficientBounds bounds = law::coefficient_bounds(definitions_[i].law);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace slipbench::law {
 namespace {
@@ -51,6 +52,9 @@ bool Table::build(std::span<const std::vector<double>> rows, int dependents, int
   for (const auto& row : rows) {
     built.ordinates_.insert(built.ordinates_.end(), row.begin(), row.begin() + dependents);
   }
+
+  built.largest_.resize(at(dependents));
+  for (int c = 0; c < dependents; ++c) built.find_largest(c);
 
   // A row opens a new entry on every level up to the slowest independent that changed.
   for (int r = 0; r < count; ++r) {
@@ -247,12 +251,22 @@ double Table::smallest(int column) const {
   return result;
 }
 
-double Table::largest(int column) const {
-  double result = ordinates_[at(column)];
+void Table::find_largest(int column) {
+  double& result = largest_[at(column)];
+  result = ordinates_[at(column)];
   for (std::size_t i = at(column); i < ordinates_.size(); i += at(dependents_)) {
     result = std::max(result, ordinates_[i]);
   }
-  return result;
+}
+
+void Table::set_ordinate(std::size_t row, int column, double value) {
+  const double before = std::exchange(ordinates_[index(row, column)], value);
+  double& largest = largest_[at(column)];
+  if (value >= largest) {
+    largest = value;
+  } else if (before == largest) {
+    find_largest(column);
+  }
 }
 
 template <class Visit>

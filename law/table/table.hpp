@@ -100,9 +100,7 @@ class Table {
   }
   double ordinate(std::size_t row, int column = 0) const { return ordinates_[index(row, column)]; }
   /// \param value finite; whether it is admissible, the user of the table has to know
-  void set_ordinate(std::size_t row, int column, double value) {
-    ordinates_[index(row, column)] = value;
-  }
+  void set_ordinate(std::size_t row, int column, double value);
   /// The independents of a row; for reading, not for the update path.
   std::vector<double> point(std::size_t row) const;
   /// Tells whether the other has the same points, dependents and extrapolation: all but the
@@ -138,7 +136,7 @@ class Table {
 
   /// Smallest and largest ordinate of a dependent.
   double smallest(int column = 0) const;
-  double largest(int column = 0) const;
+  double largest(int column = 0) const { return largest_[static_cast<std::size_t>(column)]; }
 
   /// The most negative slope to independent `k` between neighbouring grid points (0 if none falls).
   /// \param[out] knot coordinate `k` of the cell's begin, if asked for and if something falls
@@ -167,6 +165,8 @@ class Table {
   std::size_t index(std::size_t row, int column) const {
     return row * static_cast<std::size_t>(dependents_) + static_cast<std::size_t>(column);
   }
+
+  void find_largest(int column);
 
   /// The entries of a block that a coordinate lies between, and how far along; the same entry twice
   /// where an end value is held.
@@ -262,6 +262,8 @@ class Table {
   bool is_grid_ = false;
   std::vector<Level> levels_;
   std::vector<double> ordinates_;  ///< row-major rows x dependents
+  /// Of each dependent: exact integration asks for it in every increment.
+  std::vector<double> largest_;
 };
 
 }  // namespace slipbench::law

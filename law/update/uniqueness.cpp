@@ -99,9 +99,9 @@ SnapBack changed_snap_back(const SnapBack& before, const FrictionLaw& law, doubl
   return result;
 }
 
-bool has_increment_thresholds(const FrictionDefinition& definition) {
+bool has_increment_thresholds(const FrictionDefinition& definition, const FrictionLaw& law) {
   return definition.stick.mode == StickStiffness::Mode::kStiffness &&
-         definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law);
+         definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(law);
 }
 
 CoefficientBounds coefficient_bounds(const FrictionLaw& law) {
@@ -153,7 +153,7 @@ CoefficientBounds coefficient_bounds(const FrictionLaw& law, const Ambient& ambi
 IncrementThresholds increment_thresholds(const FrictionDefinition& definition,
                                          const CoefficientBounds& bounds, const Ambient& end,
                                          double normal_force, double rate) {
-  if (!has_increment_thresholds(definition)) return {};
+  if (!has_increment_thresholds(definition, definition.law)) return {};
   const CoefficientPoint point =
       blended(definition.blend,
               evaluate(definition.law, end, {.slip_rate = rate, .contact_force = normal_force}));

@@ -73,7 +73,8 @@ inline IncrementThresholds increment_thresholds(const FrictionDefinition& defini
   return increment_thresholds(definition, coefficient_bounds(definition.law), end, normal_force,
                               rate);
 }
-/// Tells whether a definition may have such thresholds at all.
-bool has_increment_thresholds(const FrictionDefinition& definition);
+/// Tells whether a definition may have such thresholds at all while its coefficient follows `law`,
+/// its own or that of the other sense.
+bool has_increment_thresholds(const FrictionDefinition& definition, const FrictionLaw& law);
 
 }  // namespace slipbench::law

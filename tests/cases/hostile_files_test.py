@@ -270,7 +270,8 @@ class HostileFiles(InFolder):
         changes = "".join(f"  - {{step: s{i}, increments: 1, change_friction: {{friction1: {{coefficient: 0.3}}}}}}\n" for i in range(16000))
         worn = SLIDER.format(title="Worn", history=STEP.format(name="a") + changes).replace(
             "predefined: {}", f"component: 1, internal_contact_force: {{columns: [F, accumulated_slip], rows: [{wear}]}}")
-        self.refused_in_time(worn, "16010 increments", code=0)
+        for method in ("backward_euler", "exact"):
+            self.refused_in_time(worn.replace("history:", f"integration: {{method: {method}}}\nhistory:"), "16010 increments", code=0)
         # Each looks for the places of its nodes behind all the steps before.
         fields = ", ".join(f"field{i}: 0" for i in range(1, 17))
         moved = "".join(f"  - {{step: s{i}, increments: 1, fields: {'&f {' + fields + '}' if i == 0 else '*f'}, nodes: {'&n {a: [5, 5, 5], b: [5, 5, 5], c: [5, 5, 5]}' if i == 0 else '*n'}}}\n" for i in range(10000))

@@ -455,6 +455,12 @@ TEST_CASE("rows are numbered as given, and their ordinates can be changed alone"
   table.set_ordinate(1, 0, 0.5);
   CHECK(at(table, {10, 20}) == 0.5);
   CHECK(at(table, {10, 20}, 1) == 2);
+  CHECK(table.largest() == 0.5);
+  CHECK(table.largest(1) == 3);
+  table.set_ordinate(1, 0, 0.28);
+  CHECK(table.largest() == 0.30);
+  table.set_ordinate(0, 0, 0.1);
+  CHECK(table.largest() == 0.28);
   CHECK(table.same_grid(before));
   CHECK_FALSE(
       table.same_grid(make_table({{0.3, 1, 0, 20}, {0.2, 2, 9, 20}, {0.2, 3, 0, 90}}, 2, 2)));
