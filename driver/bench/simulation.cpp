@@ -118,7 +118,7 @@ Simulation::Simulation(const cases::Case& problem) : case_(&problem) {
     }
     has_options_ = has_options_ || definition.dead_zone || definition.backward;
   }
-  note_falling_definitions();
+  for (std::size_t i = 0; i < definitions_.size(); ++i) note_falling(i);
   std::copy(problem.initial.values.begin(), problem.initial.values.end(),
             row_.quantities.begin() + cases::kFirstMotion);
   row_.begin = problem.initial;
@@ -330,27 +330,25 @@ tl::expected<void, SimulationFailure> Simulation::begin_friction_changes() {
   for (const DefinitionRow& definition : row_.definitions) mu.push_back(definition.update.mu);
   auto begun = friction_changes_.begin_step(step, row_.step == 0, row_.time, mu, definitions_);
   if (!begun) return tl::unexpected(to_failure(begun.error()));
-  note_falling_definitions();
+  for (DefinitionRow& definition : row_.definitions) definition.thresholds = {};
+  for (const cases::FrictionChange& change : step.friction_changes) note_falling(change.definition);
   return {};
 }
 
-void Simulation::note_falling_definitions() {
-  falling_.clear();
-  for (std::size_t i = 0; i < definitions_.size(); ++i) {
-    row_.definitions[i].thresholds = {};
-    const bool backward = case_->definitions[i].backward.has_value();
-    if (!law::has_increment_thresholds(definitions_[i], definitions_[i].law) &&
-        !(backward && law::has_increment_thresholds(definitions_[i], other_law_[i]))) {
-      continue;
-    }
-    law::CoefficientBounds bounds = law::coefficient_bounds(definitions_[i].law);
-    if (backward) {
-      const law::CoefficientBounds other = law::coefficient_bounds(other_law_[i]);
-      bounds.largest = std::max(bounds.largest, other.largest);
-      bounds.steepest_weakening = std::max(bounds.steepest_weakening, other.steepest_weakening);
-    }
-    if (bounds.steepest_weakening > 0.0) falling_.push_back({i, bounds});
+void Simulation::note_falling(std::size_t i) {
+  std::erase_if(falling_, [&](const Falling& falling) { return falling.definition == i; });
+  const bool backward = case_->definitions[i].backward.has_value();
+  if (!law::has_increment_thresholds(definitions_[i], definitions_[i].law) &&
+      !(backward && law::has_increment_thresholds(definitions_[i], other_law_[i]))) {
+    return;
   }
+  law::CoefficientBounds bounds = law::coefficient_bounds(definitions_[i].law);
+  if (backward) {
+    const law::CoefficientBounds other = law::coefficient_bounds(other_law_[i]);
+    bounds.largest = std::max(bounds.largest, other.largest);
+    bounds.steepest_weakening = std::max(bounds.steepest_weakening, other.steepest_weakening);
+  }
+  if (bounds.steepest_weakening > 0.0) falling_.push_back({i, bounds});
 }
 
 /// Only for definitions whose coefficient may fall: the others' update costs nothing more.

@@ -272,6 +272,12 @@ class HostileFiles(InFolder):
             "predefined: {}", f"component: 1, internal_contact_force: {{columns: [F, accumulated_slip], rows: [{wear}]}}")
         for method in ("backward_euler", "exact"):
             self.refused_in_time(worn.replace("history:", f"integration: {{method: {method}}}\nhistory:"), "16010 increments", code=0)
+        # Beside a definition with a long table of its own.
+        other = "  - {name: friction2, component: 4, internal_contact_force: 9, coefficient: {columns: [mu, slip_rate], rows: ["
+        two = SLIDER.format(title="Two", history=STEP.format(name="a") + changes).replace("type: SLOT", "type: CYLINDRICAL").replace(
+            "friction: [{predefined: {}", "friction:\n  - {name: friction1, component: 1, internal_contact_force: 9").replace(
+            "1000}}]", "1000}}\n" + other + ", ".join(f"[0.3, {i}]" for i in range(40000)) + "]}, stick: {stiffness: 1000}}")
+        self.refused_in_time(two, "16010 increments", code=0)
         # Each looks for the places of its nodes behind all the steps before.
         fields = ", ".join(f"field{i}: 0" for i in range(1, 17))
         moved = "".join(f"  - {{step: s{i}, increments: 1, fields: {'&f {' + fields + '}' if i == 0 else '*f'}, nodes: {'&n {a: [5, 5, 5], b: [5, 5, 5], c: [5, 5, 5]}' if i == 0 else '*n'}}}\n" for i in range(10000))
