@@ -223,7 +223,12 @@ TEST_CASE("a pair that is no assembled type has the predefined friction of its p
 TEST_CASE("two types of one kind of motion, or an assembled one, make no pair") {
   CHECK_FALSE(assemble(*find_connection("SLOT"), *find_connection("JOIN")));
   CHECK_FALSE(assemble(*find_connection("CARDAN"), *find_connection("REVOLUTE")));
-  CHECK_FALSE(assemble(*find_connection("HINGE"), *find_connection("SLOT")));
+  for (const char* whole : {"HINGE", "TRANSLATOR"}) {
+    for (const char* basic : {"SLOT", "REVOLUTE"}) {
+      CHECK_FALSE(assemble(*find_connection(whole), *find_connection(basic)));
+      CHECK_FALSE(assemble(*find_connection(basic), *find_connection(whole)));
+    }
+  }
   CHECK_FALSE(assemble(*find_connection("SLOT"), *find_connection("SLOT")));
 }
 

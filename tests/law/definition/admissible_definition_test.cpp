@@ -42,6 +42,17 @@ TEST_CASE("any force limit above 0 is one, and any elastic slip or stiffness") {
   CHECK_FALSE(admits([](FrictionDefinition* d) { d->stick.value = 0.0; }));
 }
 
+TEST_CASE("a change of friction is between its begin and its end") {
+  const auto admits_blend = [](double start, double weight) {
+    return admits([&](FrictionDefinition* d) { d->blend = {start, weight}; });
+  };
+  CHECK(admits_blend(0.0, 0.0));
+  CHECK(admits_blend(0.3, 1.0));
+  CHECK_FALSE(admits_blend(-0.3, 0.5));
+  CHECK_FALSE(admits_blend(0.3, -0.1));
+  CHECK_FALSE(admits_blend(0.3, 1.5));
+}
+
 TEST_CASE("a simple filter has a coefficient up to 1, a filter over time any time") {
   const auto admits_filter = [](Filter::Kind kind, double value) {
     return admits([&](FrictionDefinition* d) {

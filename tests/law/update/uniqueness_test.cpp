@@ -127,6 +127,18 @@ TEST_CASE("half of a change of friction has half of the new law's thresholds") {
   CHECK(t.unique == Approx(2.5e-4).epsilon(1e-14));
 }
 
+TEST_CASE("a coefficient that falls ever faster is bounded up to the rate of the motion") {
+  FrictionDefinition definition = falling();
+  GeneralizedViscous law;
+  law.fric = 0.5;
+  law.c5 = -0.01;
+  definition.law = law;
+  const IncrementThresholds t = increment_thresholds(definition, Ambient{}, 100.0, 2.0);
+  // mu = 0.5 - 0.01 V^2 falls fastest at V = 2, by 0.04.
+  CHECK(t.weakening == Approx(0.04).epsilon(1e-14));
+  CHECK(t.unique == Approx(100.0 * 0.04 / 1000.0).epsilon(1e-14));
+}
+
 TEST_CASE("the increment does not matter where the limit does not follow the slip") {
   const auto none = [](const FrictionDefinition& definition, double normal_force = 100.0) {
     const IncrementThresholds t = increment_thresholds(definition, Ambient{}, normal_force, 1.0);
