@@ -76,6 +76,17 @@ TEST_CASE("after a right angle the force is sech and tanh, the slip ln cosh") {
   }
 }
 
+TEST_CASE("motion sticks up to the radius and slips from there") {
+  const SegmentEnd inside = exact_segment({0.005, 0.0}, 0.01, 0.02);
+  CHECK(inside.stick == 0.01);
+  CHECK(inside.elastic_slip.along == 0.015);
+  CHECK(inside.slip == 0.0);
+  const SegmentEnd beyond = exact_segment({0.005, 0.0}, 0.05, 0.02);
+  CHECK(beyond.stick == Approx(0.015).epsilon(1e-15));
+  CHECK(beyond.elastic_slip.along == 0.02);
+  CHECK(beyond.slip == Approx(0.035).epsilon(1e-15));
+}
+
 TEST_CASE("nothing moves without motion") {
   const SegmentEnd end = exact_segment({0.012, 0.016}, 0.0, 0.02);
   CHECK(end.elastic_slip.along == 0.012);
