@@ -36,6 +36,14 @@ TEST_CASE("Renard is drawn until its last piece is near C2, within limits") {
   CHECK(range(law).slip_rate == 1.5);  // no last piece to be seen
 }
 
+TEST_CASE("a polynomial is drawn until it has turned, or changed by its own size") {
+  CHECK(polynomial_scale(0.3, -0.1, 0.02) == Approx(5.0).epsilon(1e-15));
+  CHECK(polynomial_scale(0.3, 0.1, 0.02) == Approx(3.0).epsilon(1e-15));
+  CHECK(polynomial_scale(0.3, 0.0, 0.03) == Approx(std::sqrt(10.0)).epsilon(1e-15));
+  CHECK(polynomial_scale(0.0, 0.0, 0.001) == Approx(10.0).epsilon(1e-15));
+  CHECK(polynomial_scale(0.3, 0.0, 0.0) == 0.0);
+}
+
 TEST_CASE("an exponential is drawn until it has died away, or grown e times") {
   const LawRange decay = range(ExponentialDecay{0.3, 0.2, 0.05});
   CHECK(decay.slip_rate == 4.0 / 0.05);

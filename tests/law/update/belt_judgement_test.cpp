@@ -43,6 +43,9 @@ TEST_CASE("a belt between two given tensions does not stick beyond its force lim
   const FrictionUpdate free = judged(definition, 100.0, 150.0);
   CHECK(free.state.regime == Regime::kStick);
   CHECK(capstan_utilisation(free, 3.0) == std::log1p(0.5) / (0.2 * 3.0));
+  // As small as a unit of force may make them.
+  const FrictionUpdate small = judged(belt(0.2, 3.0), 1e-3, 0.9e-3);
+  CHECK(capstan_utilisation(small, 3.0) == Approx(-std::log(0.9) / (0.2 * 3.0)).epsilon(1e-14));
 }
 
 TEST_CASE("a belt without friction between equal tensions is open, and slips between others") {

@@ -294,6 +294,14 @@ TEST_CASE("with a constant stiffness the slip is the first at which the limit is
   CHECK(implicit > 1500);
 }
 
+TEST_CASE("work through zero without slip is that of a spring on either side") {
+  FrictionRun run = under(5.0, belt(0.1, pi / 2));
+  const double before = run.move_to(2, 0.004).state.force[0];
+  const double after = run.move_to(2, -0.004).state.force[0];
+  REQUIRE(run.last.state.regime == Regime::kStick);
+  CHECK(run.last.work == Approx(-0.5 * 0.004 * (before + after)).epsilon(1e-14));
+}
+
 TEST_CASE("work is dissipated or stored, to rounding, at constant tension") {
   Dice dice(5);
   for (int i = 0; i < 200; ++i) {
