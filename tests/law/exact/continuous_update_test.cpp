@@ -979,16 +979,56 @@ TEST_CASE("a shifted potential grips between two ends at which it does not") {
   CHECK(run.state.regime == Regime::kOpen);
 }
 
-TEST_CASE("a belt is followed through both sides of its band") {
+/// A belt of half a turn, mu = 0.2 and 1000 N/mm, that flows in component 2.
+FrictionDefinition half_turn() {
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0), {2});
   definition.criterion = Capstan{pi};
   definition.contact_force = ComponentContactForce{0};
-  const auto point = [](double flow, double tension) {
-    Waypoint w;
-    w.position[1] = flow;
-    w.force[0] = tension;
-    return w;
-  };
+  return definition;
+}
+
+Waypoint flow_to(double flow, double tension) {
+  Waypoint w;
+  w.position[1] = flow;
+  w.force[0] = tension;
+  return w;
+}
+
+TEST_CASE("a belt that turns back sticks through zero, wherever that is in an increment") {
+  const double backward = 100.0 * -std::expm1(-0.2 * pi);
+  for (int i = 0; i < 50; ++i) {
+    const double motion = 0.05 + 0.0015 * i;  // it slips forward from 0.134 mm on
+    ExactRun run(half_turn(), flow_to(0.0, 100.0));
+    run.go(flow_to(-0.3, 100.0));
+    run.go(flow_to(-0.3 + motion, 100.0));
+    CHECK(run.friction(2) == Approx(1000.0 * motion - backward).margin(1e-10));
+    CHECK(run.last.slip_increment == 0.0);
+  }
+}
+
+TEST_CASE("a belt whose tension jumps down relaxes at once and sticks through zero from there") {
+  ExactRun run(half_turn(), flow_to(0.0, 100.0));
+  run.go(flow_to(-0.3, 100.0));
+  ConnectorIncrement increment;
+  increment.duration = 1.0;
+  increment.begin_position = increment.end.position = run.here().position;
+  const Ambient begin = increment.end;
+  increment.end.position[1] += 0.038;
+  ConnectorForce begin_force;
+  begin_force[0] = increment.force[0] = 30.0;
+  RegimeChanges changes;
+  const FrictionUpdate u =
+      continuous_update(run.definition, path_segment(run.definition, increment, begin, begin_force),
+                        run.state, 1e-12, &changes);
+  const double band = -std::expm1(-0.2 * pi);
+  CHECK(u.slip_increment == Approx(70.0 * band / 1000.0).epsilon(1e-12));
+  // From -14.0 to 24.0, below the 26.2 that slip forward.
+  CHECK(u.state.force[0] == Approx(38.0 - 30.0 * band).epsilon(1e-12));
+}
+
+TEST_CASE("a belt is followed through both sides of its band") {
+  const FrictionDefinition definition = half_turn();
+  const auto point = flow_to;
   const double ratio = std::exp(0.2 * pi);
   for (const int count : {1, 13}) {
     ExactRun run(definition, point(0.0, 100.0));
