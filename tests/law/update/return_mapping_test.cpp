@@ -794,6 +794,11 @@ TEST_CASE("the first of many roots is found and flagged, whatever the duration")
   const Rows rows = {{.1, 0}, {.4, .7}, {.05, 1.3}, {.35, 2.1}, {.02, 2.9}, {.4, 3.7}, {.1, 4.1}};
   FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1.0));
   definition.law = TabularCoefficient{make_function(rows, {kOverSlipRate})};
+  Potential line;
+  line.parts = line.leaves = 1;
+  line.leaf[0].direction[0] = 1.0;
+  FrictionDefinition of_potential = definition;
+  of_potential.criterion = line;
   for (int i = 1; i <= 400; ++i) {
     for (const double trial : {11.0, 38.0, 45.0}) {
       const double duration = 0.01 * i;
@@ -816,6 +821,10 @@ TEST_CASE("the first of many roots is found and flagged, whatever the duration")
       INFO("duration " << duration << " trial " << trial);
       CHECK(run.state.accumulated_slip == Approx(root).epsilon(1e-11));
       CHECK(run.last.multiple_roots == (roots > 1));
+      FrictionRun potential(of_potential);
+      potential.duration = duration;
+      potential.move_to(1, trial);
+      CHECK(potential.last.multiple_roots == (roots > 1));
     }
   }
 }
