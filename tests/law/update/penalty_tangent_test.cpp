@@ -214,6 +214,23 @@ TEST_CASE("under the total speed a slow orthotropic slip follows the slope of it
   CHECK(tangent.to_motion(1, 1) == Approx(-100.0 * 0.1 * 0.05 * std::exp(-0.05) / 1e-4));
 }
 
+TEST_CASE("under the speed along its axis a slip of any size follows the slope of its law") {
+  for (const double v : {5e-4, -5e-4, 5.0, -5.0}) {
+    FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1.0), {2, 3});
+    definition.law = ExponentialDecay{0.3, 0.2, 0.5 / std::abs(v)};
+    Formulation& formulation = definition.formulation.emplace();
+    formulation.penalty = StiffnessPenalty{1e9};
+    formulation.orthotropy = Orthotropy{
+        .second = definition.law, .first = {1.0, 0.0}, .speed = Orthotropy::Speed::kComponent};
+    FrictionRun run(definition);
+    run.position[1] = v;
+    const ConnectorIncrement increment = run.increment();
+    const ConnectorTangent tangent = connector_tangent(definition, increment, run.step());
+    CHECK(tangent.to_motion(1, 1) ==
+          Approx(-100.0 * 0.1 * 0.5 / std::abs(v) * std::exp(-0.5)).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("the viscous force of a light contact follows the root of its stiffness") {
   // C = sqrt(2 K m) = sqrt(N) with K = N and m = 1/2; where K begins at N = 1 a quarter has none.
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1.0), {2, 3});
