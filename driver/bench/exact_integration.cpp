@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <variant>
+#include <vector>
 
 #include "driver/bench/belt_motion.hpp"
 #include "driver/bench/connector_increment.hpp"

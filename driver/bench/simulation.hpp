@@ -234,7 +234,7 @@ class Simulation {
   tl::expected<void, SimulationFailure> take_forces();
   double carried_force(int component) const;
   tl::expected<void, SimulationFailure> begin_friction_changes();
-  /// Notes anew whether a definition falls: its bounds are found by a walk through its tables.
+  /// Notes anew whether the coefficient of a definition may fall, by a walk through its tables.
   void note_falling(std::size_t definition);
   void note_thresholds(Row& row) const;
   void note_jump(int component, double from, double to);

@@ -166,6 +166,7 @@ class Table {
     return row * static_cast<std::size_t>(dependents_) + static_cast<std::size_t>(column);
   }
 
+  /// Finds the largest ordinate of a dependent anew, by a walk over all rows.
   void find_largest(int column);
 
   /// The entries of a block that a coordinate lies between, and how far along; the same entry twice
@@ -262,7 +263,7 @@ class Table {
   bool is_grid_ = false;
   std::vector<Level> levels_;
   std::vector<double> ordinates_;  ///< row-major rows x dependents
-  /// Of each dependent: exact integration asks for it in every increment.
+  /// Largest ordinate of each dependent: exact integration asks for it in every increment.
   std::vector<double> largest_;
 };
 

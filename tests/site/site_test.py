@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The documentation site: site_test.py --slipbench PROGRAM --source DIR [--site FOLDER]
 
-It is built in as long as it should, all its links lead somewhere, nothing is fetched from elsewhere; in a browser its search
+It takes no more than some time of processors to build, all its links lead somewhere, nothing is fetched from elsewhere; in a browser its search
 finds what a reader looks for, and its pages can be read, light, dark and on a phone.
 --site takes a site that is built already.
 """
@@ -21,7 +21,7 @@ import urllib.parse
 
 from browse import look
 
-MOST = 300  # measures of the machine that building the site takes: some 190, whether the machine is idle or not
+MOST = 300  # measures of the machine that building the site takes: 190 where it is idle, up to 230 beside compilers
 
 failures = []
 

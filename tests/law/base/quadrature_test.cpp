@@ -29,7 +29,7 @@ TEST_CASE("a jump is halved 32 times") {
   int budget = 1000;
   const auto step = [](double x) { return x < 1.0 / 3.0 ? 0.0 : 1.0; };
   CHECK(integral(step, 0.0, 1.0, 1e-14, &budget) == Approx(2.0 / 3.0).epsilon(1e-9));
-  // Of the two halves of a piece one has the jump; the last ones are not judged.
+  // One half of each piece has the jump; the last ones are not judged.
   CHECK(budget == 1000 - 1 - 2 * 31);
 }
 

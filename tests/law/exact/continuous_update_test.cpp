@@ -1027,14 +1027,12 @@ TEST_CASE("a belt whose tension jumps down relaxes at once and sticks through ze
 }
 
 TEST_CASE("a belt is followed through both sides of its band") {
-  const FrictionDefinition definition = half_turn();
-  const auto point = flow_to;
   const double ratio = std::exp(0.2 * pi);
   for (const int count : {1, 13}) {
-    ExactRun run(definition, point(0.0, 100.0));
-    run.go(point(0.3, 100.0), count);
+    ExactRun run(half_turn(), flow_to(0.0, 100.0));
+    run.go(flow_to(0.3, 100.0), count);
     CHECK(run.friction(2) == Approx(100.0 * (ratio - 1.0)).epsilon(1e-13));
-    run.go(point(-0.3, 100.0), count);
+    run.go(flow_to(-0.3, 100.0), count);
     CHECK(run.friction(2) == Approx(-100.0 * (1.0 - 1.0 / ratio)).epsilon(1e-13));
     const double forward = 100.0 * (ratio - 1.0);
     const double backward = 100.0 * (1.0 - 1.0 / ratio);
@@ -1042,9 +1040,9 @@ TEST_CASE("a belt is followed through both sides of its band") {
     CHECK(run.state.accumulated_slip == Approx(slip).epsilon(1e-12));
     CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-12));
     // The tension falls at rest: the belt slides back to the narrower band.
-    run.go(point(-0.3, 50.0), count);
+    run.go(flow_to(-0.3, 50.0), count);
     CHECK(run.friction(2) == Approx(-0.5 * backward).epsilon(1e-13));
-    run.go(point(-0.2, -50.0), count);
+    run.go(flow_to(-0.2, -50.0), count);
     CHECK(run.state.regime == Regime::kOpen);
   }
 }
