@@ -25,6 +25,7 @@ TEST_CASE("the zero of a falling function is found from its negative side, in fe
       {"a decay", [](double x) { return std::exp(-5.0 * x) - std::exp(-1.0); }, 0.2, 12},
       {"a steep end", [](double x) { return std::sqrt(std::abs(0.6 - x)) * (x < 0.6 ? 1 : -1); },
        0.6, 60},
+      {"a flat zero", [](double x) { return std::pow(0.7 - x, 3); }, 0.7, 60},
       {"a jump", [](double x) { return x < 0.123 ? 1.0 : -1.0; }, 0.123, 60},
       {"a zero at the begin", [](double x) { return -x; }, 0.0, 100},
   };

@@ -32,6 +32,15 @@ FrictionDefinition wearing(const FrictionLaw& law) {
   return definition;
 }
 
+/// F_int grows by `growth` per slip from 2, up to the slip 1; mu has a knot at a contact force.
+FrictionDefinition growing(double growth, double knot) {
+  FrictionDefinition definition = wearing(TabularCoefficient{
+      make_function({{0.3, 0.0}, {0.2, knot}, {0.25, 9.0}}, {kOverContactForce})});
+  definition.internal_contact_force =
+      make_function({{2.0, 0.0}, {2.0 + growth, 1.0}}, {kOverAccumulatedSlip});
+  return definition;
+}
+
 TEST_CASE("a contact force that wears through 0 presses again from there on") {
   const FrictionDefinition definition = wearing(TabularCoefficient{
       make_function({{0.3, 0.0}, {0.2, 0.5}, {0.25, 4.0}}, {kOverContactForce})});
@@ -49,6 +58,31 @@ TEST_CASE("wear by the slip before the increment has no knot in it") {
   CHECK(LimitFunction(definition, increment, {}, 0.0).next_knot(0.0, 10.0) == 2.0);
   definition.accumulated_slip = AccumulatedSlipTiming::kStart;
   CHECK(LimitFunction(definition, increment, {}, 0.0).next_knot(0.0, 10.0) > 10.0);
+}
+
+TEST_CASE("an internal contact force that grows slowly meets the knots of the contact force") {
+  for (const double growth : {0.5, 5e-4}) {
+    const FrictionDefinition definition = growing(growth, 2.0 + 0.2 * growth);
+    const ConnectorIncrement increment = lasting(1.0);
+    CHECK(LimitFunction(definition, increment, {}, 0.0).next_knot(0.0, 1.0) ==
+          Approx(0.2).epsilon(1e-10));
+  }
+}
+
+TEST_CASE(
+    "an internal contact force that a table brings below 0 stays there, and so do its knots") {
+  // F_N = 5 + max(1 - x, 0), with a knot of the coefficient next to 5.
+  for (const double knot : {5.5, 5.0005}) {
+    FrictionDefinition definition = wearing(TabularCoefficient{
+        make_function({{0.3, 0.0}, {0.2, knot}, {0.25, 9.0}}, {kOverContactForce})});
+    definition.internal_contact_force =
+        make_function({{1.0, 0.0}, {-1.0, 2.0}}, {kOverAccumulatedSlip});
+    const ConnectorIncrement increment = lasting(1.0, 5.0);
+    const LimitFunction limit(definition, increment, {}, 0.0);
+    CHECK(limit.next_knot(0.0, 10.0) == Approx(6.0 - knot).epsilon(1e-12));
+    CHECK(limit.next_knot(6.0 - knot + 1e-9, 10.0) == Approx(1.0).epsilon(1e-12));
+    CHECK(limit.next_knot(1.0 + 1e-9, 10.0) == Approx(2.0).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("the largest value in a piece is looked for inside of its ends, and in the middle") {

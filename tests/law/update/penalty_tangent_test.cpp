@@ -166,6 +166,38 @@ TEST_CASE("the tangent of a contact penalty meets one-sided differences") {
   CHECK(clipped > 70);
 }
 
+TEST_CASE("the tangent of a clipped force is in proportion to the unit of force") {
+  const auto slopes = [](double unit) {
+    FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1.0), {2, 3});
+    definition.contact_force = ComponentContactForce{0};
+    definition.law = ExponentialDecay{0.3, 0.15, 0.4};
+    Formulation& formulation = definition.formulation.emplace();
+    formulation.penalty = StiffnessPenalty{200.0 * unit};
+    formulation.filter = {Filter::Kind::kSimple, 0.3, true};
+    formulation.orthotropy = Orthotropy{.second = ConstantCoefficient{0.15}, .first = {0.8, -0.6}};
+    FrictionRun run(definition);
+    run.duration = 0.1;
+    run.force[0] = 100.0 * unit;
+    run.position[1] = 1.0;
+    run.position[2] = 0.4;
+    run.step();
+    run.force[0] = 20.0 * unit;
+    run.position[1] = 1.3;
+    const ConnectorIncrement increment = run.increment();
+    const FrictionUpdate u = run.step();
+    CHECK(u.tangent.clip < 1.0);
+    return connector_tangent(definition, increment, u);
+  };
+  const ConnectorTangent large = slopes(1.0);
+  const ConnectorTangent small = slopes(1e-6);
+  for (int i = 1; i < 3; ++i) {
+    CHECK(small.to_force(i, 0) == Approx(large.to_force(i, 0)).epsilon(1e-9));
+    for (int j = 1; j < 3; ++j) {
+      CHECK(small.to_motion(i, j) == Approx(1e-6 * large.to_motion(i, j)).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("without a contact nothing follows") {
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1.0), {2, 3});
   definition.formulation.emplace().penalty = StiffnessPenalty{100.0};

@@ -59,6 +59,19 @@ TEST_CASE("the energy lost in a jump does not depend on the increments") {
   }
 }
 
+TEST_CASE("a force that begins beyond its limit falls by what the limit is below it") {
+  // 20 N over a limit of 10 N on 1 N/mm: 10 mm of slip at constant motion, and 2 mm with it.
+  const FrictionDefinition definition = slider(0.1, 100.0, fixed_stiffness(1.0));
+  const ConnectorIncrement increment;
+  const LimitFunction limit(definition, increment, {}, 0.0);
+  const SnapBackPath path = snap_back_path(limit, 1.0, 12.0, 20.0, false);
+  CHECK(path.jumps == 0);
+  CHECK(path.at_rest == Approx(10.0));
+  CHECK(path.fallen == Approx(0.5 * 10.0 * 10.0).epsilon(1e-12));
+  CHECK(path.lost == 0.0);
+  CHECK(path.friction_work == Approx(120.0).epsilon(1e-12));
+}
+
 TEST_CASE("a slip that comes to rest before the fold has met none") {
   FrictionDefinition definition = worn();
   definition.internal_contact_force =
