@@ -129,8 +129,8 @@ class Pieces {
       const bool is_due = halvings % kHalvings == 0;
       if (run.outcome == Run::Outcome::kMixed) {
         event = to;
-      } else if (const double dip = first_dip(run, to); dip < to) {
-        event = dip;
+      } else if (const double change = first_change(run, to); change < to) {
+        event = change;
       } else if (fresh && run.last.signature.regime == Regime::kSlip && to - tau_ > first_) {
         // A turn that is over within the first step of every row would not be seen.
         step = first_;
@@ -341,32 +341,21 @@ class Pieces {
     return worst;
   }
 
-  /// A place in a piece of stick at which the force is beyond a limit that dips between the samples
-  /// of the rows; `to` if there is none.
-  double first_dip(const Run& run, double to) noexcept {
-    constexpr int kCells = 16;
-    if (run.outcome != Run::Outcome::kSettled || run.last.signature.regime != Regime::kStick ||
-        to - tau_ < 1e-6) {
-      return to;
-    }
+  /// A place at which a piece changes between the samples of the rows; `to` if there is none: the
+  /// smooth piece of the limit ends there, or sticks no more as the limit dips below the force.
+  double first_change(const Run& run, double to) noexcept {
+    const Regime regime = run.last.signature.regime;
+    const bool slips = regime == Regime::kSlip && !steps_.by_rate();
+    if (run.outcome != Run::Outcome::kSettled || !(slips || regime == Regime::kStick)) return to;
+    if (to - tau_ < 1e-6) return to;
+    const double corner = steps_.end_of_piece(at_, tau_, to, run.end.slip, slips ? 4 : 16);
+    if (corner < to || slips) return corner;
     // Returns what the limit leaves to the force; below 0 where it slips.
     const auto holds = [&](double tau) {
       const SubIncrement there = steps_.step(at_, tau_, tau);
       return there.signature.regime == Regime::kSlip ? -1.0 : steps_.holds(there.end, tau);
     };
-    const double cell = (to - tau_) / kCells;
-    double before = holds(tau_ + 0.5 * cell);
-    double here = holds(tau_ + cell);
-    for (int i = 2; i <= kCells; ++i) {
-      const double after = holds(tau_ + i * cell);
-      if (here < before && here <= after) {
-        const double place = lowest(holds, tau_ + (i - 2) * cell, tau_ + i * cell, -0.5);
-        if (holds(place) < -0.5) return place;
-      }
-      before = here;
-      here = after;
-    }
-    return to;
+    return first_dip(holds, tau_, to, 16, -0.5);
   }
 
   /// Goes on to `to` with what a piece has come to.

@@ -125,6 +125,25 @@ double lowest(Function&& f, double low, double high, double enough) {
   return fa < fb ? a : b;
 }
 
+/// Place at which f dips below `enough` on the way from `from` to `to`, looked for in so many parts
+/// of it; `to` if there is none.
+template <class Function>
+double first_dip(Function&& f, double from, double to, int parts, double enough) {
+  const double part = (to - from) / parts;
+  double before = f(from + 0.5 * part);
+  double here = f(from + part);
+  for (int i = 2; i <= parts; ++i) {
+    const double after = f(from + i * part);
+    if (here < before && here <= after) {
+      const double place = lowest(f, from + (i - 2) * part, from + i * part, enough);
+      if (f(place) < enough) return place;
+    }
+    before = here;
+    here = after;
+  }
+  return to;
+}
+
 template <class Way>
 double SmoothPiece::end_of(Way&& point, double from, double to, int samples) noexcept {
   if (!(to > from)) return to;

@@ -151,6 +151,16 @@ bool SubIncrements::stays(const LimitPoint& point) noexcept {
   return piece_->reserve(piece_->values(point)) >= 0.0;
 }
 
+double SubIncrements::end_of_piece(const SlipPoint& at, double from, double to, double slip,
+                                   int parts) noexcept {
+  const auto way = [&](double tau) {
+    SlipPoint there = at;
+    there.accumulated_slip += std::max(slip, 0.0) * (tau - from) / (to - from);
+    return point(tau, there, 0.0);
+  };
+  return piece_->end_of(way, from, to, parts);
+}
+
 bool SubIncrements::keeps_rate(const LimitPoint& end) noexcept {
   return !by_rate_ || piece_->keeps(piece_->values(end), kRateSlack);
 }

@@ -87,6 +87,9 @@ class SubIncrements {
   void enter(const LimitPoint& here, const LimitPoint& ahead) noexcept;
   /// Tells whether the point is in that piece.
   bool stays(const LimitPoint& point) noexcept;
+  /// Returns where a point leaves that piece whose slip [L], if any, is proportionate to tau: it is
+  /// looked for in so many parts of the way. `to` if it stays.
+  double end_of_piece(const SlipPoint& at, double from, double to, double slip, int parts) noexcept;
   /// Tells whether it is, as far as the rate of the slip at the end of a piece is known.
   bool keeps_rate(const LimitPoint& end) noexcept;
   LimitPoint point(double tau, const SlipPoint& at, double slip_rate) const {

@@ -354,6 +354,23 @@ TEST_CASE("a limit that wears faster than the spring lets the force jump, with i
   }
 }
 
+TEST_CASE("a limit that wears as fast as the spring lets the force go at once, with its energy") {
+  // 50 N that fall by 1000 N/mm on a spring of 1000 N/mm.
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
+    definition.criterion = criterion.of;
+    definition.internal_contact_force =
+        make_function({{100.0, 0.0}, {0.0, 0.05}}, {kOverAccumulatedSlip});
+    ExactRun run(definition);
+    run.go(at(0.06));
+    CHECK(run.friction(1) == Approx(0.0).margin(1e-6));
+    CHECK(run.state.accumulated_slip == Approx(0.05).epsilon(1e-8));
+    CHECK(run.dissipation == Approx(1.25).epsilon(1e-8));
+    CHECK(run.last.lost == Approx(0.0).margin(1e-8));
+    CHECK(run.last.snap_back == Approx(1.0).epsilon(1e-12));
+  }
+}
+
 /// Returns the end of a way on which the temperature goes from 0 to 1 and the motion to 2.
 Waypoint warm_at_two() {
   Waypoint end = at(2.0);
@@ -910,6 +927,81 @@ TEST_CASE("a dip of the limit is seen behind a begin at which the limit is as ne
     point.fields = {1.0, 1.0, 1.0};
     run.go(point);
     CHECK(run.friction(1) == Approx(9.97).epsilon(1e-10));
+  }
+}
+
+TEST_CASE(
+    "a coefficient that gives way under a peak of the contact force is seen between any looks") {
+  // F_int = 50 - 100 (t - top)^2 along the diagonal of temperature and a field; mu falls from 0.5
+  // to 0.1 just below 50 N. The tops are those between two, and in reach of three, of sixteen
+  // parts.
+  for (const Criterion& criterion : criteria_of_one()) {
+    for (const double top : {17.0 / 32.0, 19.0 / 32.0}) {
+      CAPTURE(top, criterion.tolerance);
+      const double begin = 50.0 - 100.0 * top * top;
+      const double aside = begin + 100.0 * top;
+      const double end = 50.0 - 100.0 * (1.0 - top) * (1.0 - top);
+      const double low = top < 0.55 ? 49.95 : 49.84;
+      FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
+      definition.criterion = criterion.of;
+      definition.internal_contact_force =
+          make_function({{begin, 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {end, 1, 1}},
+                        {kOverTemperature, over_field(0)});
+      definition.law = TabularCoefficient{make_function(
+          {{0.5, 0.0}, {0.5, low - 0.01}, {0.1, low}, {0.1, 100.0}}, {kOverContactForce})};
+      Waypoint point = at(0.0);
+      point.fields = {0.0};
+      ExactRun run(definition, point);
+      point.position[0] = 0.006;
+      run.go(point);
+      CHECK(run.friction(1) == Approx(6.0));
+      point.temperature = point.fields[0] = 1.0;
+      run.go(point);
+      CHECK(run.friction(1) == Approx(0.1 * low).epsilon(1e-8));
+    }
+  }
+}
+
+TEST_CASE("the norm of two forces that passes below a knot between any looks is seen") {
+  // mu falls from 0.2 to 0 below 10 N; the least norm is 9.99 N.
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
+    definition.criterion = criterion.of;
+    definition.contact_force = DerivedComponent{norm_term({3, 4}, 1.0)};
+    definition.law = TabularCoefficient{
+        make_function({{0.0, 9.98}, {0.2, 10.0}, {0.2, 200.0}}, {kOverContactForce})};
+    Waypoint point = at(0.0);
+    point.force[2] = -100.0;
+    point.force[3] = 9.99;
+    ExactRun run(definition, point);
+    point.position[0] = 0.0015;
+    run.go(point);
+    CHECK(run.friction(1) == Approx(1.5));
+    point.force[2] = 112.0;
+    run.go(point);
+    CHECK(run.friction(1) == Approx(0.1 * 9.99).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("a potential of all components is followed, and tells its direction in stick") {
+  FrictionDefinition definition = slider(0.2, 100.0, fixed_stiffness(1000.0), {1, 2, 3, 4, 5, 6});
+  Potential norm;
+  norm.parts = norm.leaves = kComponents;
+  for (std::size_t i = 0; i < kComponents; ++i) {
+    norm.leaf[i].part = static_cast<int>(i);
+    norm.leaf[i].direction[i] = 1.0;
+  }
+  definition.criterion = norm;
+  ExactRun run(definition);
+  Waypoint end;
+  for (const double motion : {0.005, 0.05}) {
+    for (int c = 0; c < kComponents; ++c) end.position[c] = motion;
+    run.go(end);
+    const double force = motion < 0.01 ? 5.0 : 20.0 / std::sqrt(6.0);
+    for (int number = 1; number <= kComponents; ++number) {
+      CHECK(run.friction(number) == Approx(force).epsilon(1e-10));
+    }
+    for (const double d : run.last.direction) CHECK(d == Approx(1.0 / std::sqrt(6.0)));
   }
 }
 

@@ -57,25 +57,39 @@ TEST_CASE("a dip of the limit between any two looks at it is seen, in a table or
 }
 
 TEST_CASE("what the cap cuts off of a slip between any two looks at it is seen") {
-  // mu = 0.2025 - 0.35 (t - 0.625)^2 along the diagonal of temperature and a field, held at 0.2.
-  const auto mu = [](double t) { return 0.2025 - 0.35 * (t - 0.625) * (t - 0.625); };
-  const double aside = mu(0.0) + 0.35 * 0.625;
-  FrictionDefinition definition = slider(0.2, 100.0, fixed_stiffness(1000.0));
-  definition.law = TabularCoefficient{
-      make_function({{mu(0.0), 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {mu(1.0), 1, 1}},
-                    {kOverTemperature, over_field(0)})};
-  definition.force_limit = 20.0;
-  Waypoint point = at(0.0);
-  point.fields = {0.0};
-  ExactRun run(definition, point);
-  point.position[0] = 1.0;
-  run.go(point);
-  point.position[0] = 2.0;
-  point.temperature = point.fields[0] = 1.0;
-  run.go(point);
-  const double uncapped = 20.25 - 35.0 * (std::pow(0.375, 3) + std::pow(0.625, 3)) / 3.0;
-  const double above = 0.25 * std::sqrt(0.0025 / 0.35) * 4.0 / 3.0;
-  CHECK(run.last.work == Approx(uncapped - above).epsilon(1e-11));
+  // mu = 0.2 + 0.35 (half^2 - (t - 0.625)^2) along the diagonal of temperature and a field, held at
+  // 0.2: the cap is met for 2 half of the time.
+  Potential line;
+  line.parts = line.leaves = 1;
+  line.leaf[0].direction[0] = 1.0;
+  for (const SlipCriterion& criterion :
+       {SlipCriterion{EuclideanPotential{}}, SlipCriterion{line}}) {
+    for (const double half : {0.08, 0.005}) {
+      CAPTURE(criterion.index(), half);
+      const auto mu = [&](double t) {
+        return 0.2 + 0.35 * (half * half - (t - 0.625) * (t - 0.625));
+      };
+      const double aside = mu(0.0) + 0.35 * 0.625;
+      FrictionDefinition definition = slider(0.2, 100.0, fixed_stiffness(1000.0));
+      definition.criterion = criterion;
+      definition.law = TabularCoefficient{
+          make_function({{mu(0.0), 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {mu(1.0), 1, 1}},
+                        {kOverTemperature, over_field(0)})};
+      definition.force_limit = 20.0;
+      Waypoint point = at(0.0);
+      point.fields = {0.0};
+      ExactRun run(definition, point);
+      point.position[0] = 1.0;
+      run.go(point);
+      point.position[0] = 2.0;
+      point.temperature = point.fields[0] = 1.0;
+      run.go(point);
+      const double uncapped =
+          100.0 * mu(0.625) - 35.0 * (std::pow(0.375, 3) + std::pow(0.625, 3)) / 3.0;
+      const double above = 35.0 * std::pow(half, 3) * 4.0 / 3.0;
+      CHECK(run.last.work == Approx(uncapped - above).epsilon(1e-11));
+    }
+  }
 }
 
 /// Returns a slider that has gone to a point under F_C = 100 + <100 w>, w over the temperature, and
