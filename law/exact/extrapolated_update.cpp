@@ -103,6 +103,7 @@ class Pieces {
     int flickers = 0, halvings = 0;  // of the piece first tried here
     bool fresh = true;               // nothing is known yet of how fast the force turns
     double error = 0.0;              // of that piece, or of the one kHalvings before
+    let_go_without_limit();
     if (steps_.beyond(at_, 0.0)) cross(kSameFraction);  // the limit has jumped below the force
     while (tau_ < 1.0) {
       if (steps_.work() > kMostWork) {
@@ -202,6 +203,16 @@ class Pieces {
   }
 
  private:
+  /// Forgets what is held where the increment begins without a limit, whether one returns or not. A
+  /// viscous force outlives that; one that slip brings to 0 with its limit is none.
+  void let_go_without_limit() noexcept {
+    const double least = steps_.fixed() ? kNoLimit * scale_ : 0.0;
+    if (!(std::sqrt(dot(at_.held, at_.held)) > least) || steps_.viscous()) return;
+    if (steps_.grips(0.0, begin_slip_, steps_.length())) return;
+    at_.held = {};
+    note(Regime::kOpen, {});
+  }
+
   /// Work and dissipation of a step, by the force at its end throughout: their errors are smooth in
   /// the length of steps. y.m is F_lim without shifts.
   void add(const SubIncrement& step, double length, PieceSums* sums) const noexcept {

@@ -222,15 +222,29 @@ TEST_CASE("lift-off forgets the force; contact that returns counts from there (N
 }
 
 TEST_CASE("a force without contact at its begin is gone without slip, contact behind or not") {
-  for (const double motion : {0.0, 0.005}) {
-    ExactRun run(pressed());
-    run.state.force[0] = 10.0;
-    run.state.elastic_slip[0] = 0.01;
-    run.state.regime = Regime::kStick;
-    run.go(at(motion, 100.0));
-    CHECK(run.friction(1) == Approx(1000.0 * motion).epsilon(1e-13));
-    CHECK(run.state.accumulated_slip == 0.0);
-    CHECK(run.last.dissipation == 0.0);
+  for (const Criterion& criterion : criteria_of_one()) {
+    for (const double motion : {0.0, 0.005}) {
+      for (const double force : {0.0, 100.0}) {
+        for (const StickStiffness stick : {fixed_stiffness(1000.0), allowable_slip(0.02)}) {
+          const bool fixed = stick.mode == StickStiffness::Mode::kStiffness;
+          CAPTURE(criterion.tolerance, motion, force, fixed);
+          FrictionDefinition definition = pressed({1}, stick);
+          definition.criterion = criterion.of;
+          ExactRun run(definition);
+          run.state.force[0] = 10.0;
+          run.state.elastic_slip[0] = 0.01;
+          run.state.regime = Regime::kStick;
+          run.go(at(motion, force));
+          CHECK(run.friction(1) == Approx(force > 0.0 ? 1000.0 * motion : 0.0).epsilon(1e-12));
+          CHECK(run.state.accumulated_slip == 0.0);
+          CHECK(run.last.dissipation == 0.0);
+          CHECK(run.last.lost == 0.0);
+          REQUIRE(run.changes.count > 0);
+          CHECK(run.changes.at[0].to == Regime::kOpen);
+          CHECK(run.changes.at[0].fraction == 0.0);
+        }
+      }
+    }
   }
 }
 
