@@ -267,7 +267,6 @@ void ExactWalk::jump(double tau) noexcept {
   dissipation_ += spent;
   lost_ += stored(before) - stored(r * r) - spent;
   slip_ = end;
-  put_on(r);
 }
 
 double ExactWalk::wear_ratio(double tau, double slip) noexcept {

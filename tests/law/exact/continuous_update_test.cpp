@@ -113,6 +113,22 @@ TEST_CASE("an exact increment tells by how much the force is below the limit, or
   }
 }
 
+TEST_CASE("a limit that rises by 1e-7 of itself inside a segment is followed there") {
+  // F_int over temperature: 100 up to 40, and rising to 60, where the segment ends.
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+    definition.criterion = criterion.of;
+    definition.internal_contact_force =
+        make_function({{100, 0}, {100, 40}, {100.00001, 60}, {100, 61}}, {kOverTemperature});
+    ExactRun run(definition);
+    run.go(at(0.05));
+    Waypoint end = at(0.1);
+    end.temperature = 60.0;
+    run.go(end);
+    CHECK(run.friction(1) == Approx(20.000002).epsilon(criterion.tolerance));
+  }
+}
+
 TEST_CASE("one, seven and a thousand increments a segment end alike on a polyline") {
   const std::vector<Waypoint> corners{at(0.05, 100.0),         at(0.05, 100.0, 0.05),
                                       at(-0.03, 100.0, 0.02),  at(-0.03, 100.0, -0.001),
@@ -1269,18 +1285,23 @@ TEST_CASE("a coefficient on its floor is that of a contact, however small") {
   CHECK(run.state.regime == Regime::kSlip);
 }
 
-TEST_CASE("a coefficient that only motion gives holds, whatever the time") {
+TEST_CASE("a coefficient that only motion gives holds, whatever the time and the unit of force") {
   // 0 up to a rate of 1, 0.5 at the rate 2 of the motion.
-  for (const double duration : {0.1, 1.0, 10.0}) {
-    CAPTURE(duration);
-    FrictionDefinition definition = slider(0.0, 100.0, allowable_slip(0.01));
-    definition.law = TabularCoefficient{make_function({{0, 1}, {0.5, 2}}, {kOverSlipRate})};
-    ExactRun run(definition);
-    Waypoint end = at(2.0 * duration);
-    end.duration = duration;
-    run.go(end);
-    CHECK(run.friction(1) == Approx(50.0));
-    CHECK(run.state.accumulated_slip == Approx(2.0 * duration - 0.01));
+  for (const Criterion& criterion : criteria_of_one()) {
+    for (const double unit : {1.0, 1e-6}) {
+      for (const double duration : {0.1, 1.0, 10.0}) {
+        CAPTURE(criterion.tolerance, unit, duration);
+        FrictionDefinition definition = slider(0.0, 100.0 * unit, allowable_slip(0.01));
+        definition.criterion = criterion.of;
+        definition.law = TabularCoefficient{make_function({{0, 1}, {0.5, 2}}, {kOverSlipRate})};
+        ExactRun run(definition);
+        Waypoint end = at(2.0 * duration);
+        end.duration = duration;
+        run.go(end);
+        CHECK(run.friction(1) == Approx(50.0 * unit));
+        CHECK(run.state.accumulated_slip == Approx(2.0 * duration - 0.01));
+      }
+    }
   }
 }
 

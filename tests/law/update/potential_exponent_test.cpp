@@ -48,6 +48,26 @@ TEST_CASE("near the exponent 1 a part comes back to its dead zone and no further
   }
 }
 
+TEST_CASE(
+    "after many elastic slips a sum keeps its last part beside one that is far in its dead zone") {
+  // X_1 = |f1| is pulled on for 1e9 up to 0, X_2 = <|f2| - dead> for half of that.
+  PotentialContribution shifted;
+  shifted.of = DerivedComponent{norm_term({2}, 1.0)};
+  shifted.function = ContributionFunction::kMacauley;
+  for (int i = 1; i < 20; ++i) {
+    const double reach = 1e9 * std::sqrt(i);
+    shifted.shift = reach;
+    const FrictionDefinition definition = sliding({PotentialContribution{}, shifted}, 1.0, 2.0);
+    ConnectorIncrement increment;
+    increment.duration = 1.0;
+    increment.end.position[0] = reach;
+    increment.end.position[1] = 1.5 * reach;
+    const FrictionUpdate u = update(definition, increment, {});
+    CHECK(u.state.force[0] == Approx(2.0).epsilon(1e-14));
+    CHECK(u.state.force[1] == Approx(reach).epsilon(1e-14));
+  }
+}
+
 TEST_CASE("a large exponent finds the corner of the maximum") {
   // One part of several terms next to another: what is left of a term is t - c q.
   PotentialContribution two;
