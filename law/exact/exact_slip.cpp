@@ -62,7 +62,6 @@ double largest_on(Function&& f, double from, double to, double known) {
 
 double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
   const double ratio = wear_ratio(begin, slip_ + kNoLimit * largest_slip_);
-  snap_back_ = std::max(snap_back_, ratio);
   if (ratio >= 1.0) {
     // The limit falls faster than the spring: the force drops without any motion.
     jump(begin);

@@ -203,14 +203,14 @@ class Pieces {
   }
 
  private:
-  /// Forgets what is held where the increment begins without a limit, whether one returns or not. A
-  /// viscous force outlives that; one that slip brings to 0 with its limit is none.
+  /// Forgets what is held where the increment begins without a limit, whether one returns or not,
+  /// but for a force that slip brings to 0 with its limit.
   void let_go_without_limit() noexcept {
     const double least = steps_.fixed() ? kNoLimit * scale_ : 0.0;
-    if (!(std::sqrt(dot(at_.held, at_.held)) > least) || steps_.viscous()) return;
-    if (steps_.grips(0.0, begin_slip_, steps_.length())) return;
-    at_.held = {};
-    note(Regime::kOpen, {});
+    if (std::sqrt(dot(at_.held, at_.held)) > least && steps_.is_free(0.0, begin_slip_)) {
+      at_.held = {};
+      note(Regime::kOpen, {});
+    }
   }
 
   /// Work and dissipation of a step, by the force at its end throughout: their errors are smooth in

@@ -143,6 +143,11 @@ bool SubIncrements::grips(double tau, double accumulated_slip, double slip_rate)
          strength(tau, accumulated_slip) > least_;
 }
 
+bool SubIncrements::is_free(double tau, double accumulated_slip) noexcept {
+  if (viscous_) return !(limit(tau, {{}, accumulated_slip}, 0.0).normal_force > 0.0);
+  return !grips(tau, accumulated_slip, length_);
+}
+
 void SubIncrements::enter(const LimitPoint& here, const LimitPoint& ahead) noexcept {
   piece_->enter(piece_->values(here), piece_->values(ahead), by_rate_ ? kRateSlack : 0.0);
 }

@@ -83,6 +83,9 @@ class SubIncrements {
   double reserve(double tau, double accumulated_slip) noexcept;
   /// Tells whether the limit holds a force, at rest or with a slip per segment [L].
   bool grips(double tau, double accumulated_slip, double slip_rate) noexcept;
+  /// Tells whether nothing is there to hold a force: no limit at any rate up to that of the motion,
+  /// or, as a viscous force has any rate, no contact.
+  bool is_free(double tau, double accumulated_slip) noexcept;
   /// Goes to the smooth piece of the limit that holds `here`, or begins there towards `ahead`.
   void enter(const LimitPoint& here, const LimitPoint& ahead) noexcept;
   /// Tells whether the point is in that piece.

@@ -384,6 +384,55 @@ TEST_CASE("a limit that wears faster than the spring lets the force jump, with i
   }
 }
 
+TEST_CASE("the steepest wear of a jump is told wherever it is between knots") {
+  // The wear begins at beta = 3 and is 30 for a hundredth of a millimetre.
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
+    definition.criterion = criterion.of;
+    definition.internal_contact_force = make_function(
+        {{6000, 0}, {6000, 0.5}, {5040, 0.66}, {4440, 0.67}, {0, 2.0}}, {kOverAccumulatedSlip});
+    ExactRun run(definition);
+    run.go(at(6.0));
+    CHECK(run.last.snap_back == Approx(30.0).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a force beyond a limit that wears away relaxes with all of its energy dissipated") {
+  // 30 N over 20 N that fall by 1000 N/mm, as the spring.
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+    definition.criterion = criterion.of;
+    definition.internal_contact_force =
+        make_function({{100, 0}, {0, 0.02}}, {kOverAccumulatedSlip});
+    ExactRun run(definition);
+    run.state.force[0] = 30.0;
+    run.state.elastic_slip[0] = 0.03;
+    run.state.regime = Regime::kStick;
+    run.go(at(0.0));
+    CAPTURE(criterion.tolerance);
+    CHECK(run.friction(1) == Approx(0.0).margin(1e-9));
+    CHECK(run.state.accumulated_slip == Approx(0.02).epsilon(1e-9));
+    CHECK(run.dissipation == Approx(0.45).epsilon(1e-9));
+    CHECK(run.last.lost == Approx(0.0).margin(1e-9));
+  }
+}
+
+TEST_CASE("a viscous force that begins without contact is gone, too") {
+  for (const double force : {0.0, 100.0}) {
+    FrictionDefinition definition = pressed();
+    definition.law = TabularCoefficient{make_function({{0.1, 0}, {0.5, 2}}, {kOverSlipRate})};
+    ExactRun run(definition);
+    run.state.force[0] = 10.0;
+    run.state.elastic_slip[0] = 0.01;
+    run.state.regime = Regime::kStick;
+    run.go(at(0.005, force));
+    CAPTURE(force);
+    CHECK(run.friction(1) == Approx(force > 0.0 ? 5.0 : 0.0).epsilon(1e-9));
+    CHECK(run.state.accumulated_slip == 0.0);
+    CHECK(run.last.dissipation == 0.0);
+  }
+}
+
 TEST_CASE("a limit that wears as fast as the spring lets the force go at once, with its energy") {
   // 50 N that fall by 1000 N/mm on a spring of 1000 N/mm.
   for (const Criterion& criterion : criteria_of_one()) {

@@ -56,6 +56,16 @@ TEST_CASE("a dip of the limit between any two looks at it is seen, in a table or
   CHECK(after_warming(definition, begin, -1.0, 1.0) == Approx(backward).epsilon(1e-12));
 }
 
+TEST_CASE("a dip is found in any part of a way, and none where there is none") {
+  for (const double place : {0.063, 0.1, 0.5, 0.93}) {
+    const auto f = [&](double x) { return std::abs(x - place) - 1e-3; };
+    const double found = first_dip(f, 0.0, 1.0, 16, 0.0);
+    CHECK(found == Approx(place).margin(1e-3));
+    CHECK(f(found) < 0.0);
+    CHECK(first_dip(f, 0.0, 1.0, 16, -1e-2) == 1.0);
+  }
+}
+
 TEST_CASE("what the cap cuts off of a slip between any two looks at it is seen") {
   // mu = 0.2 + 0.35 (half^2 - (t - 0.625)^2) along the diagonal of temperature and a field, held at
   // 0.2: the cap is met for 2 half of the time.
