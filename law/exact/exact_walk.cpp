@@ -325,7 +325,7 @@ double ExactWalk::advance(double tau) noexcept {
   const double r = radius(tau, slip_);
   bool slips = must_slip_;
   if (slips || (opens && fixed_) || r * r - slip_at_.square() <= kOnRadius * r * r) {
-    put_on(r);
+    put_on(r);  // where it is but for rounding, or after a jump
     // What comes decides, not what was. Below the rounding of the differences growth is none.
     const double growth = length_ * half_angle(slip_at_).cosine_of_angle() -
                           (constant ? 0.0 : radius_growth(tau, end));

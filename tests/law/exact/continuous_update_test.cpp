@@ -1009,35 +1009,57 @@ TEST_CASE("a dip of the limit is seen behind a begin at which the limit is as ne
   }
 }
 
-TEST_CASE(
-    "a coefficient that gives way under a peak of the contact force is seen between any looks") {
-  // F_int = 50 - 100 (t - top)^2 along the diagonal of temperature and a field; mu falls from 0.5
-  // to 0.1 just below 50 N. The tops are those between two, and in reach of three, of sixteen
-  // parts.
+TEST_CASE("a coefficient that gives way under a peak or in a dip of the contact force is seen") {
+  // F_int = 50 -+ 100 (t - top)^2 along the diagonal of temperature and a field; mu falls from 0.5
+  // to 0.1 next to 50 N. The tops are those between two, and in reach of three, of sixteen parts.
   for (const Criterion& criterion : criteria_of_one()) {
     for (const double top : {17.0 / 32.0, 19.0 / 32.0}) {
-      CAPTURE(top, criterion.tolerance);
-      const double begin = 50.0 - 100.0 * top * top;
-      const double aside = begin + 100.0 * top;
-      const double end = 50.0 - 100.0 * (1.0 - top) * (1.0 - top);
-      const double low = top < 0.55 ? 49.95 : 49.84;
-      FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
-      definition.criterion = criterion.of;
-      definition.internal_contact_force =
-          make_function({{begin, 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {end, 1, 1}},
-                        {kOverTemperature, over_field(0)});
-      definition.law = TabularCoefficient{make_function(
-          {{0.5, 0.0}, {0.5, low - 0.01}, {0.1, low}, {0.1, 100.0}}, {kOverContactForce})};
-      Waypoint point = at(0.0);
-      point.fields = {0.0};
-      ExactRun run(definition, point);
-      point.position[0] = 0.006;
-      run.go(point);
-      CHECK(run.friction(1) == Approx(6.0));
-      point.temperature = point.fields[0] = 1.0;
-      run.go(point);
-      CHECK(run.friction(1) == Approx(0.1 * low).epsilon(1e-8));
+      for (const double sense : {1.0, -1.0}) {
+        CAPTURE(criterion.tolerance, top, sense);
+        const auto at_part = [&](double t) { return 50.0 - sense * 100.0 * (t - top) * (t - top); };
+        const double aside = at_part(0.0) + sense * 100.0 * top;
+        const double low = 50.0 - sense * (top < 0.55 ? 0.05 : 0.16);
+        FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
+        definition.criterion = criterion.of;
+        definition.internal_contact_force = make_function(
+            {{at_part(0.0), 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {at_part(1.0), 1, 1}},
+            {kOverTemperature, over_field(0)});
+        Rows rows{{0.5, 0.0}, {0.5, low - 0.01}, {0.1, low}, {0.1, 200.0}};
+        if (sense < 0.0) rows = {{0.1, 0.0}, {0.1, low}, {0.5, low + 0.01}, {0.5, 200.0}};
+        definition.law = TabularCoefficient{make_function(rows, {kOverContactForce})};
+        Waypoint point = at(0.0);
+        point.fields = {0.0};
+        ExactRun run(definition, point);
+        point.position[0] = 0.006;
+        run.go(point);
+        CHECK(run.friction(1) == Approx(6.0));
+        point.temperature = point.fields[0] = 1.0;
+        run.go(point);
+        CHECK(run.friction(1) == Approx(0.1 * std::min(low, 50.0)).epsilon(1e-8));
+      }
     }
+  }
+}
+
+TEST_CASE("a limit that dips below a force alike before and behind a look is met") {
+  // 0.5 (bottom + 128 (t - 9/16)^2): equal at 4 and 5 eighths of the segment, in all digits.
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
+    definition.criterion = criterion.of;
+    const double begin = 11.75 + 128.0 * 81.0 / 256.0;
+    const double aside = begin - 128.0 * 9.0 / 16.0;
+    const double end = 11.75 + 128.0 * 49.0 / 256.0;
+    definition.internal_contact_force =
+        make_function({{begin, 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {end, 1, 1}},
+                      {kOverTemperature, over_field(0)});
+    Waypoint point = at(0.0);
+    point.fields = {0.0};
+    ExactRun run(definition, point);
+    point.position[0] = 0.006;
+    run.go(point);
+    point.temperature = point.fields[0] = 1.0;
+    run.go(point);
+    CHECK(run.friction(1) == Approx(0.5 * 11.75).epsilon(1e-8));
   }
 }
 

@@ -50,12 +50,12 @@ TEST_CASE("near the exponent 1 a part comes back to its dead zone and no further
 
 TEST_CASE(
     "after many elastic slips a sum keeps its last part beside one that is far in its dead zone") {
-  // X_1 = |f1| is pulled on for 1e9 up to 0, X_2 = <|f2| - dead> for half of that.
+  // X_1 = |f1| is pulled on for 1e17 up to 0, X_2 = <|f2| - dead> for half of that.
   PotentialContribution shifted;
   shifted.of = DerivedComponent{norm_term({2}, 1.0)};
   shifted.function = ContributionFunction::kMacauley;
   for (int i = 1; i < 20; ++i) {
-    const double reach = 1e9 * std::sqrt(i);
+    const double reach = 1e17 * std::sqrt(i);
     shifted.shift = reach;
     const FrictionDefinition definition = sliding({PotentialContribution{}, shifted}, 1.0, 2.0);
     ConnectorIncrement increment;
