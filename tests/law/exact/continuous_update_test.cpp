@@ -394,6 +394,15 @@ TEST_CASE("the steepest wear of a jump is told wherever it is between knots") {
     ExactRun run(definition);
     run.go(at(6.0));
     CHECK(run.last.snap_back == Approx(30.0).epsilon(1e-9));
+
+    // And where the coefficient falls by 0.05 between 4440 and 4380 N, of which 6000 N wear a mm.
+    definition.internal_contact_force =
+        make_function({{6000, 0}, {6000, 0.5}, {0, 1.5}}, {kOverAccumulatedSlip});
+    definition.law = TabularCoefficient{make_function(
+        {{0.45, 0.0}, {0.45, 4380.0}, {0.5, 4440.0}, {0.5, 7000.0}}, {kOverContactForce})};
+    ExactRun falling(definition);
+    falling.go(at(6.0));
+    CHECK(falling.last.snap_back == Approx(6.0 * (0.5 + 0.05 / 60.0 * 4440.0)).epsilon(1e-9));
   }
 }
 
