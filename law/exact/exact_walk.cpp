@@ -279,6 +279,8 @@ void ExactWalk::run() noexcept {
   if (held > 0.0 && grips(0.0)) {
     const double r = radius(0.0, slip_);
     if (held * held - r * r > kOnRadius * r * r) relax(0.0);
+  } else if (fixed_) {
+    lost_ += stored(held * held);  // no slip takes what is held where there is no limit
   }
   double tau = 0.0;
   int stuck = 0;
@@ -334,7 +336,7 @@ double ExactWalk::advance(double tau) noexcept {
   must_slip_ = must_stick_ = false;
   if (!slips) return stick(tau, end);
   return constant ? slip_at_constant_radius(tau, by_rate_ ? end : next)
-                  : slip_at_varying_radius(tau, next);
+                  : slip_at_varying_radius(tau, by_rate_ ? next : end);
 }
 
 double ExactWalk::end_at_rest(double from, double to) noexcept {

@@ -203,14 +203,15 @@ class Pieces {
   }
 
  private:
-  /// Forgets what is held where the increment begins without a limit, whether one returns or not,
-  /// but for a force that slip brings to 0 with its limit.
+  /// Lets go of what is held where the increment begins without a limit, whether one returns or
+  /// not: no slip takes its energy. A force that slip brings to 0 with its limit is none.
   void let_go_without_limit() noexcept {
     const double least = steps_.fixed() ? kNoLimit * scale_ : 0.0;
-    if (std::sqrt(dot(at_.held, at_.held)) > least && steps_.is_free(0.0, begin_slip_)) {
-      at_.held = {};
-      note(Regime::kOpen, {});
-    }
+    if (!(std::sqrt(dot(at_.held, at_.held)) > least)) return;
+    if (!steps_.is_free(0.0, begin_slip_, kNoLimit * scale_)) return;
+    if (steps_.fixed()) lost_ += stored(0.0, at_.held);
+    at_.held = {};
+    note(Regime::kOpen, {});
   }
 
   /// Work and dissipation of a step, by the force at its end throughout: their errors are smooth in
@@ -338,35 +339,32 @@ class Pieces {
 
   /// The larger of the differences, as a part of limit and elastic slip, beyond their rounding.
   double difference(const PieceSums& a, const PieceSums& b) const noexcept {
-    const auto apart = [](double x, double y) {
+    const auto apart = [](double x, double y, double whole) {
       constexpr double kRounded = 1000.0 * std::numeric_limits<double>::epsilon();
-      return std::max(std::abs(x - y) - kRounded * std::abs(x), 0.0);
+      const double beyond = std::abs(x - y) - kRounded * std::abs(x);
+      return beyond > 0.0 ? beyond / whole : 0.0;
     };
     const double held = steps_.fixed() ? scale_ : elastic_;
     const double slip = elastic_ + steps_.length();
-    double worst = std::max({apart(a.slip, b.slip) / slip, apart(a.work, b.work) / (scale_ * slip),
-                             apart(a.dissipation, b.dissipation) / (scale_ * slip)});
+    double worst = std::max({apart(a.slip, b.slip, slip), apart(a.work, b.work, scale_ * slip),
+                             apart(a.dissipation, b.dissipation, scale_ * slip)});
     for (std::size_t i = 0; i < kComponents; ++i) {
-      worst = std::max(worst, apart(a.held[i], b.held[i]) / held);
+      worst = std::max(worst, apart(a.held[i], b.held[i], held));
     }
     return worst;
   }
 
   /// A place at which a piece changes between the samples of the rows; `to` if there is none: the
-  /// smooth piece of the limit ends there, or sticks no more as the limit dips below the force.
+  /// smooth piece of the limit ends there, or the limit dips below the force, or comes up to it.
   double first_change(const Run& run, double to) noexcept {
     const Regime regime = run.last.signature.regime;
-    const bool slips = regime == Regime::kSlip && !steps_.by_rate();
-    if (run.outcome != Run::Outcome::kSettled || !(slips || regime == Regime::kStick)) return to;
+    const bool slips = regime == Regime::kSlip;
+    if (run.outcome != Run::Outcome::kSettled || (slips && steps_.by_rate())) return to;
     if (to - tau_ < 1e-6) return to;
     const double corner = steps_.end_of_piece(at_, tau_, to, run.end.slip, slips ? 4 : 16);
     if (corner < to || slips) return corner;
-    // Returns what the limit leaves to the force; below 0 where it slips.
-    const auto holds = [&](double tau) {
-      const SubIncrement there = steps_.step(at_, tau_, tau);
-      return there.signature.regime == Regime::kSlip ? -1.0 : steps_.holds(there.end, tau);
-    };
-    return first_dip(holds, tau_, to, 16, -0.5);
+    const auto lasts = [&](double tau) { return steps_.lasts(regime, at_, tau_, tau); };
+    return first_dip(lasts, tau_, to, 16, -0.5);
   }
 
   /// Goes on to `to` with what a piece has come to.

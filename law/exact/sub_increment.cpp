@@ -143,9 +143,11 @@ bool SubIncrements::grips(double tau, double accumulated_slip, double slip_rate)
          strength(tau, accumulated_slip) > least_;
 }
 
-bool SubIncrements::is_free(double tau, double accumulated_slip) noexcept {
-  if (viscous_) return !(limit(tau, {{}, accumulated_slip}, 0.0).normal_force > 0.0);
-  return !grips(tau, accumulated_slip, length_);
+bool SubIncrements::is_free(double tau, double accumulated_slip, double rounding) noexcept {
+  const SlipPoint here{{}, accumulated_slip};
+  if (viscous_) return !(limit(tau, here, 0.0).normal_force > kTouching * contact_size_);
+  return !(limit(tau, here, length_).force - least_ > rounding ||
+           reserve(tau, accumulated_slip) > rounding);
 }
 
 void SubIncrements::enter(const LimitPoint& here, const LimitPoint& ahead) noexcept {
@@ -186,6 +188,13 @@ double SubIncrements::holds(const SlipPoint& at, double tau) noexcept {
   const double f = limit(tau, at, 0.0).force;
   const double edge = bound(tau, f);
   return edge > 0.0 ? 1.0 - measure(at, tau, f) / edge : 0.0;
+}
+
+double SubIncrements::lasts(Regime regime, const SlipPoint& at, double from, double to) noexcept {
+  const SubIncrement there = step(at, from, to);
+  if (there.signature.regime != regime) return -1.0;
+  if (regime == Regime::kOpen) return -reserve(to, at.accumulated_slip);
+  return holds(there.end, to);
 }
 
 SlipAtOnce SubIncrements::slip_at_once(double tau, double accumulated_slip, double slip) noexcept {

@@ -83,9 +83,9 @@ class SubIncrements {
   double reserve(double tau, double accumulated_slip) noexcept;
   /// Tells whether the limit holds a force, at rest or with a slip per segment [L].
   bool grips(double tau, double accumulated_slip, double slip_rate) noexcept;
-  /// Tells whether nothing is there to hold a force: no limit at any rate up to that of the motion,
-  /// or, as a viscous force has any rate, no contact.
-  bool is_free(double tau, double accumulated_slip) noexcept;
+  /// Tells whether nothing is there to hold a force: no limit above `rounding` [F] at any rate up
+  /// to that of the motion, or, as a viscous force has any rate, no contact.
+  bool is_free(double tau, double accumulated_slip, double rounding) noexcept;
   /// Goes to the smooth piece of the limit that holds `here`, or begins there towards `ahead`.
   void enter(const LimitPoint& here, const LimitPoint& ahead) noexcept;
   /// Tells whether the point is in that piece.
@@ -103,6 +103,9 @@ class SubIncrements {
   bool can_begin(const Signature& signature, const SlipPoint& at, double tau) noexcept;
   /// Returns what the limit leaves to the force, as a part of the limit.
   double holds(const SlipPoint& at, double tau) noexcept;
+  /// Returns what is left of stick or an open state that lasts from one tau to another: of the
+  /// limit as a part, or up to one [F]; below -0.5 where it is another regime then.
+  double lasts(Regime regime, const SlipPoint& at, double from, double to) noexcept;
   /// Tells whether the force is beyond the limit, as after a jump of it.
   bool beyond(const SlipPoint& at, double tau) noexcept;
   /// Goes over a slip from an accumulated slip on, at tau, without motion.
