@@ -114,7 +114,7 @@ void Plausibility::add(std::span<const bench::Row> rows, std::size_t index) {
     energy = std::max(std::max(energy, std::abs(here.work)),
                       std::max<double>(here.dissipation, update.stored_energy));
     falls = falls || here.thresholds.smooth > 0.0;
-    slips = slips || update.state.regime == law::Regime::kSlip;
+    slips = slips || update.state.regime == law::Regime::kSlip || update.slip_increment > 0.0;
     if (update.state.regime != law::Regime::kOpen) continue;
     all.opens = true;
     all.open_under_force = all.open_under_force || update.normal_force > 0.0;
@@ -163,7 +163,8 @@ void Plausibility::add_springs(std::span<const bench::Row> rows, std::size_t ind
 
 std::string Plausibility::no_pressure(std::size_t index) const {
   const cases::CaseDefinition& definition = case_->definitions[index];
-  if (definitions_[index].highest_normal_force > 0.0) return {};
+  // An exact increment may press, and slip, between two rows without contact.
+  if (definitions_[index].highest_normal_force > 0.0 || definitions_[index].slips) return {};
   const law::ComponentSet pressing = pressing_components(definition, *case_);
   std::vector<std::string> all;
   std::vector<std::string> driven;
@@ -187,6 +188,7 @@ std::string Plausibility::no_pressure(std::size_t index) const {
   std::string text = whose(definition) +
                      "nothing ever presses: its contact force is 0 all along, "
                      "and so is its friction; ";
+  if (all.empty() && !constant) return text + "look at its 'internal_contact_force'";
   if (all.empty()) {
     return text + "it has no 'contact_force' that could be driven, and no 'internal_contact_force'";
   }

@@ -141,7 +141,7 @@ double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
                   std::abs(trial.error[2]) / force, std::abs(trial.error[3]) / force}) /
         (tolerance_ * size + 16.0 * kEpsilon * (std::abs(x[1]) + length_ * (next - tau)));
     // The end of a step is rounded.
-    if (error > 1.0 && next - tau > (1.0 + 1e-6) * shortest) {
+    if (error > 1.0 && next - tau > (1.0 + 1e-6) * shortest + kEpsilon) {
       step = (next - tau) * std::max(0.2, 0.9 * std::pow(error, -0.2));
       continue;
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/driver/bench/example_cases.hpp"
+#include "tests/support/law_tables.hpp"
 
 namespace slipbench::driver::results {
 namespace {
@@ -47,6 +48,25 @@ TEST_CASE("a definition with nothing that could press says what it lacks") {
             "friction 'sleeve': nothing ever presses: its contact force is 0 all along, and so is "
             "its friction; it has no 'contact_force' that could be driven, and no "
             "'internal_contact_force'"});
+}
+
+TEST_CASE(
+    "an internal contact force that is 0 in every row is told, unless it presses in between") {
+  // 0, and what it rises to, over the position of component 1 on its way from 0 to 6.
+  for (const double middle : {0.0, 100.0}) {
+    cases::Case problem = bench::slider_case({bench::step("out", 1, 0, history::LinearTo{6.0})});
+    problem.integration.method = cases::IntegrationMethod::kExact;
+    problem.definitions[0].law.internal_contact_force =
+        test::make_function({{0.0, 0.0}, {middle, 3.0}, {0.0, 6.0}}, {test::over_position(1)});
+    const std::vector<std::string> findings = findings_of(problem);
+    if (middle > 0.0) {
+      CHECK(findings.empty());
+    } else {
+      CHECK(findings == std::vector<std::string>{
+                            "friction 'sleeve': nothing ever presses: its contact force is 0 all "
+                            "along, and so is its friction; look at its 'internal_contact_force'"});
+    }
+  }
 }
 
 TEST_CASE("a contact that is lost for a while is nobody's mistake") {

@@ -1139,6 +1139,23 @@ TEST_CASE("slip goes through a coefficient that gives way for an eighth of an in
   }
 }
 
+TEST_CASE("a force that turns while wear and time take its contact through 0 is followed") {
+  // Steps are rounded to the digits of tau where the limit is next to nothing.
+  FrictionDefinition definition = slider(0.3, 0.0, fixed_stiffness(1000.0), {1, 2});
+  definition.contact_force = ComponentContactForce{2};
+  definition.internal_contact_force = make_function({{100, 0}, {80, 0.2}}, {kOverAccumulatedSlip});
+  std::vector<double> slips;
+  for (const int count : {1, 2, 3, 50}) {
+    ExactRun run(definition);
+    run.go(at(0.0088, 0.0, 0.01));
+    run.go(at(-0.0028, -213.82, 0.0009), count);
+    CHECK(run.last.converged);
+    slips.push_back(run.state.accumulated_slip);
+  }
+  CHECK(slips[0] > 0.006);
+  for (const double slip : slips) CHECK(slip == Approx(slips[0]).epsilon(1e-9));
+}
+
 TEST_CASE("a potential without motion converges under a limit that comes and goes") {
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0), {1, 2});
   definition.criterion = norm_of_two();
