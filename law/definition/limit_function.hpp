@@ -150,9 +150,9 @@ class LimitFunction {
         next = std::min(next, x);
         return false;
       };
-      const bool grows = leaves_zero(force);
       // A table that is prolonged below 0 stops there.
       if (leaves_zero(internal.value) && change < 0.0) change = 0.0;
+      const bool grows = leaves_zero(force);
       // F_N moves one way within a piece of the wear table.
       line.force = std::abs(force);
       line.force_per_slip = grows ? std::abs(change) : -std::abs(change);

@@ -1035,7 +1035,8 @@ TEST_CASE("a coefficient that gives way under a peak or in a dip of the contact 
             {{at_part(0.0), 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {at_part(1.0), 1, 1}},
             {kOverTemperature, over_field(0)});
         Rows rows{{0.5, 0.0}, {0.5, low - 0.01}, {0.1, low}, {0.1, 200.0}};
-        if (sense < 0.0) rows = {{0.1, 0.0}, {0.1, low}, {0.5, low + 0.01}, {0.5, 200.0}};
+        // On the way into the dip the limit grows before it gives way.
+        if (sense < 0.0) rows = {{0.1, 0.0}, {0.1, low}, {0.9, low + 0.01}, {0.3, 60.0}};
         definition.law = TabularCoefficient{make_function(rows, {kOverContactForce})};
         Waypoint point = at(0.0);
         point.fields = {0.0};

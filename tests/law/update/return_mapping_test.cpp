@@ -830,6 +830,22 @@ TEST_CASE("the first of many roots is found and flagged, whatever the duration")
   }
 }
 
+TEST_CASE("a potential at rest below a limit that falls fast with the slip has further roots") {
+  // 0.5 |y| on 50 mu: the limit falls by 500 N/mm of slip at first, the force by 0.25 of 1000.
+  for (const double steepness : {1.0, 0.4}) {
+    FrictionDefinition definition = slider(0.0, 50.0, fixed_stiffness(1000.0));
+    definition.law = ExponentialDecay{0.2, 0.1, 100.0 * steepness};
+    Potential line;
+    line.parts = line.leaves = 1;
+    line.leaf[0].direction[0] = 1.0;
+    line.leaf[0].factor = 0.5;
+    definition.criterion = line;
+    FrictionRun run(definition);
+    run.move_to(1, 0.001);
+    CHECK(run.last.multiple_roots == (steepness == 1.0));
+  }
+}
+
 TEST_CASE("knots behind the only root are no further roots") {
   // 2000 - 100 x and then less: met by 3000 - 1000 x at 10/9, before two knots within 3 of slip.
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
