@@ -229,8 +229,10 @@ void SubIncrements::begin(const SlipPoint& at, double tau) noexcept {
 }
 
 bool SubIncrements::beyond(const SlipPoint& at, double tau) noexcept {
-  const double f = limit(tau, at, 0.0).force;
-  return !viscous_ && measure(at, tau, f) > bound(tau, f) * (1.0 + kTouching);
+  // A viscous force falls at once only from what no rate of such a fall holds.
+  const double rate = viscous_ ? std::sqrt(dot(at.held, at.held)) / stick(tau) / kSoonest : 0.0;
+  const double f = limit(tau, at, rate).force;
+  return measure(at, tau, f) > bound(tau, f) * (1.0 + kTouching);
 }
 
 bool SubIncrements::can_begin(const Signature& signature, const SlipPoint& at,

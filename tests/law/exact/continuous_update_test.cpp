@@ -443,6 +443,20 @@ TEST_CASE("a viscous force that begins without contact is gone, too") {
   }
 }
 
+TEST_CASE("a viscous force falls at once from what no rate holds, with its energy dissipated") {
+  // 20 N under a contact force that has fallen to 1 N: 0.5 N are held at most, 0.1 N at last.
+  FrictionDefinition definition = pressed();
+  definition.law = TabularCoefficient{make_function({{0.1, 0}, {0.5, 2}}, {kOverSlipRate})};
+  ExactRun run(definition, at(0.0, 1.0));
+  run.state.force[0] = 20.0;
+  run.state.elastic_slip[0] = 0.02;
+  run.state.regime = Regime::kSlip;
+  run.go(at(0.0, 1.0));
+  CHECK(run.last.converged);
+  CHECK(run.friction(1) == Approx(0.1).epsilon(1e-6));
+  CHECK(run.dissipation == Approx((400.0 - 0.01) / 2000.0).epsilon(1e-7));
+}
+
 TEST_CASE("a limit that wears as fast as the spring lets the force go at once, with its energy") {
   // 50 N that fall by 1000 N/mm on a spring of 1000 N/mm.
   for (const Criterion& criterion : criteria_of_one()) {
