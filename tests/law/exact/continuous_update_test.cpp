@@ -404,6 +404,15 @@ TEST_CASE("the steepest wear of a jump is told wherever it is between knots") {
     ExactRun falling(definition);
     falling.go(at(6.0));
     CHECK(falling.last.snap_back == Approx(6.0 * (0.5 + 0.05 / 60.0 * 4440.0)).epsilon(1e-9));
+
+    // F_lim = 1.2e-4 F^2 - 1e-8 F^3 is steepest at 4000 N, by 0.48.
+    ModifiedDarmstad bent;
+    bent.c1 = -1e-8;
+    bent.c3 = 1.2e-4;
+    definition.law = bent;
+    ExactRun bending(definition);
+    bending.go(at(6.0));
+    CHECK(bending.last.snap_back == Approx(6.0 * 0.48).epsilon(1e-9));
   }
 }
 
