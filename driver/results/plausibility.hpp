@@ -19,10 +19,10 @@ struct DefinitionExtremes {
   double highest_normal_force = 0.0;   ///< [F]
   double highest_mu = 0.0;             ///< [1]
   double smallest_elastic_slip = 0.0;  ///< at the limit, of all rows that stick [L]; 0 for none
-  bool slips = false;             ///< in a row, or within an increment
-  bool opens = false;             ///< the limit was 0 somewhere
-  bool open_under_force = false;  ///< the limit was 0 somewhere although something pressed
-  bool falls = false;             ///< the coefficient falls with the slip rate
+  bool slips = false;                  ///< in a row, or within an increment
+  bool opens = false;                  ///< the limit was 0 somewhere
+  bool open_under_force = false;       ///< the limit was 0 somewhere although something pressed
+  bool falls = false;                  ///< the coefficient falls with the slip rate
   double work = 0.0, dissipation = 0.0, stored = 0.0;  ///< at the end [F L]
   double lost = 0.0;                                   ///< in jumps, at the end [F L]
   double largest_energy = 0.0;                         ///< of these three, of all rows [F L]
