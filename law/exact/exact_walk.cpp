@@ -277,8 +277,7 @@ double ExactWalk::wear_ratio(double tau, double slip) noexcept {
 void ExactWalk::run() noexcept {
   const double held = std::sqrt(slip_at_.square());
   if (held > 0.0 && grips(0.0)) {
-    const double r = radius(0.0, slip_);
-    if (held * held - r * r > kOnRadius * r * r) relax(0.0);
+    if (const double r = radius(0.0, slip_); held * held - r * r > kOnRadius * r * r) relax(0.0);
   } else if (fixed_) {
     lost_ += stored(held * held);  // no slip takes what is held where there is no limit
   }

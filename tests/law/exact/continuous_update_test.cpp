@@ -1042,6 +1042,33 @@ TEST_CASE("a dip of the limit is seen behind a begin at which the limit is as ne
   }
 }
 
+/// Returns F_int = bottom + curvature (t - place)^2 along the diagonal of temperature and a field.
+InternalContactForce along_diagonal(double bottom, double curvature, double place) {
+  const auto at_part = [&](double t) { return bottom + curvature * (t - place) * (t - place); };
+  const double aside = at_part(0.0) - curvature * place;
+  return make_function({{at_part(0.0), 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {at_part(1.0), 1, 1}},
+                       {kOverTemperature, over_field(0)});
+}
+
+/// Returns a slider that has moved at the begin of that diagonal.
+ExactRun moved(const FrictionDefinition& definition, double motion) {
+  Waypoint point = at(0.0);
+  point.fields = {0.0};
+  ExactRun run(definition, point);
+  point.position[0] = motion;
+  if (motion != 0.0) run.go(point);
+  return run;
+}
+
+/// Goes on to a motion at the end of the diagonal.
+ExactRun go_along_diagonal(ExactRun run, double motion, int count) {
+  Waypoint point = run.here();
+  point.position[0] = motion;
+  point.temperature = point.fields[0] = 1.0;
+  run.go(point, count);
+  return run;
+}
+
 TEST_CASE("a coefficient that gives way under a peak or in a dip of the contact force is seen") {
   // F_int = 50 -+ 100 (t - top)^2 along the diagonal of temperature and a field; mu falls from 0.5
   // to 0.1 next to 50 N. The tops are those between two, and in reach of three, of sixteen parts.
@@ -1049,26 +1076,17 @@ TEST_CASE("a coefficient that gives way under a peak or in a dip of the contact 
     for (const double top : {17.0 / 32.0, 19.0 / 32.0}) {
       for (const double sense : {1.0, -1.0}) {
         CAPTURE(criterion.tolerance, top, sense);
-        const auto at_part = [&](double t) { return 50.0 - sense * 100.0 * (t - top) * (t - top); };
-        const double aside = at_part(0.0) + sense * 100.0 * top;
         const double low = 50.0 - sense * (top < 0.55 ? 0.05 : 0.16);
         FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
         definition.criterion = criterion.of;
-        definition.internal_contact_force = make_function(
-            {{at_part(0.0), 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {at_part(1.0), 1, 1}},
-            {kOverTemperature, over_field(0)});
+        definition.internal_contact_force = along_diagonal(50.0, -sense * 100.0, top);
         Rows rows{{0.5, 0.0}, {0.5, low - 0.01}, {0.1, low}, {0.1, 200.0}};
         // On the way into the dip the limit grows before it gives way.
         if (sense < 0.0) rows = {{0.1, 0.0}, {0.1, low}, {0.9, low + 0.01}, {0.3, 60.0}};
         definition.law = TabularCoefficient{make_function(rows, {kOverContactForce})};
-        Waypoint point = at(0.0);
-        point.fields = {0.0};
-        ExactRun run(definition, point);
-        point.position[0] = 0.006;
-        run.go(point);
-        CHECK(run.friction(1) == Approx(6.0));
-        point.temperature = point.fields[0] = 1.0;
-        run.go(point);
+        const ExactRun begin = moved(definition, 0.006);
+        CHECK(begin.friction(1) == Approx(6.0));
+        const ExactRun run = go_along_diagonal(begin, 0.006, 1);
         CHECK(run.friction(1) == Approx(0.1 * std::min(low, 50.0)).epsilon(1e-8));
       }
     }
@@ -1080,42 +1098,10 @@ TEST_CASE("a limit that dips below a force alike before and behind a look is met
   for (const Criterion& criterion : criteria_of_one()) {
     FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
     definition.criterion = criterion.of;
-    const double begin = 11.75 + 128.0 * 81.0 / 256.0;
-    const double aside = begin - 128.0 * 9.0 / 16.0;
-    const double end = 11.75 + 128.0 * 49.0 / 256.0;
-    definition.internal_contact_force =
-        make_function({{begin, 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {end, 1, 1}},
-                      {kOverTemperature, over_field(0)});
-    Waypoint point = at(0.0);
-    point.fields = {0.0};
-    ExactRun run(definition, point);
-    point.position[0] = 0.006;
-    run.go(point);
-    point.temperature = point.fields[0] = 1.0;
-    run.go(point);
+    definition.internal_contact_force = along_diagonal(11.75, 128.0, 9.0 / 16.0);
+    const ExactRun run = go_along_diagonal(moved(definition, 0.006), 0.006, 1);
     CHECK(run.friction(1) == Approx(0.5 * 11.75).epsilon(1e-8));
   }
-}
-
-/// Returns F_int = bottom + curvature (t - place)^2 along the diagonal of temperature and a field.
-InternalContactForce along_diagonal(double bottom, double curvature, double place) {
-  const auto at_part = [&](double t) { return bottom + curvature * (t - place) * (t - place); };
-  const double aside = at_part(0.0) - curvature * place;
-  return make_function({{at_part(0.0), 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {at_part(1.0), 1, 1}},
-                       {kOverTemperature, over_field(0)});
-}
-
-/// Drives a slider to a motion along that diagonal, at whose begin it may stand elsewhere already.
-ExactRun along_diagonal(const FrictionDefinition& definition, double begin, double end, int count) {
-  Waypoint point = at(0.0);
-  point.fields = {0.0};
-  ExactRun run(definition, point);
-  point.position[0] = begin;
-  if (begin != 0.0) run.go(point);
-  point.position[0] = end;
-  point.temperature = point.fields[0] = 1.0;
-  run.go(point, count);
-  return run;
 }
 
 TEST_CASE("a shifted potential lets go in a dip of its limit between any looks") {
@@ -1125,7 +1111,7 @@ TEST_CASE("a shifted potential lets go in a dip of its limit between any looks")
   shifted.leaf[0].center = 8.7;
   definition.criterion = shifted;
   definition.internal_contact_force = along_diagonal(8.45, 400.0, 17.0 / 32.0);
-  const ExactRun run = along_diagonal(definition, 0.008, 0.008, 1);
+  const ExactRun run = go_along_diagonal(moved(definition, 0.008), 0.008, 1);
   CHECK(run.friction(1) == 0.0);
   CHECK(run.last.lost == Approx(0.032));
 }
@@ -1140,7 +1126,7 @@ TEST_CASE("a limit that comes up for an instant between any looks holds then") {
       definition.internal_contact_force = along_diagonal(84.96, 100.0, 17.0 / 32.0);
       definition.law =
           TabularCoefficient{make_function({{0.1, 84.9}, {0.0, 85.0}}, {kOverContactForce})};
-      const ExactRun run = along_diagonal(definition, 0.0, 1.0, count);
+      const ExactRun run = go_along_diagonal(moved(definition, 0.0), 1.0, count);
       if (dissipation == 0.0) dissipation = run.dissipation;
       CHECK(dissipation > 0.05);
       CHECK(run.dissipation == Approx(dissipation).epsilon(1e-8));
@@ -1156,8 +1142,8 @@ TEST_CASE("slip goes through a coefficient that gives way for an eighth of an in
     definition.internal_contact_force = along_diagonal(50.0, -40.0, 0.95);
     definition.law = TabularCoefficient{
         make_function({{0.5, 0.0}, {0.5, 49.92}, {0.1, 49.93}, {0.1, 100.0}}, {kOverContactForce})};
-    const ExactRun whole = along_diagonal(definition, 0.05, 0.2, 1);
-    const ExactRun divided = along_diagonal(definition, 0.05, 0.2, 100);
+    const ExactRun whole = go_along_diagonal(moved(definition, 0.05), 0.2, 1);
+    const ExactRun divided = go_along_diagonal(moved(definition, 0.05), 0.2, 100);
     CHECK(whole.friction(1) == Approx(divided.friction(1)).epsilon(1e-8));
     CHECK(whole.work == Approx(divided.work).epsilon(1e-8));
   }
