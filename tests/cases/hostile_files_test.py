@@ -486,6 +486,17 @@ class HostileFiles(InFolder):
                 self.in_bounds({}, "import", "slot.inp", "--connector", f"{element}", "-o", "slot.yaml", "--force", said="95000 connectors with friction")
                 self.assertEqual("stated twice" in (self.folder / "slot.yaml").read_text(), twice)
 
+    def test_ranges_of_a_set_that_lie_over_one_another_are_bounded(self):
+        nodes, rest = SLOT.split("*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n1, 1, 2\n")
+        elements = "*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n" + "".join(f"{i},1,2\n" for i in range(1, 30001))
+        head = nodes + elements + "*ELSET, ELSET=E, GENERATE\n"
+        rest = rest.replace("PIN, 1, 0.4", "E, 1, 0.4")
+        # Each with a step of its own, none of which has the number of another.
+        steps = "".join(f"{i},999999,{i + 30000}\n" for i in range(1, 35001))
+        self.in_bounds({"slot.inp": head + steps + rest}, "import", "slot.inp", "--connector", "1", code=2, said="more than 1000 ranges of element sets lie around 1001")
+        apart = "".join(f"{i},{i + 8},2\n" for i in range(1, 350001, 10))
+        self.in_bounds({"slot.inp": head + apart + rest}, "import", "slot.inp", "--connector", "1", "-o", "slot.yaml")
+
     def test_a_file_that_many_steps_read_is_bounded(self):
         rows = "t,x\n" + "".join(f"{i},{i * 1e-6}\n" for i in range(40000))
         motion = "motion: &m {CP1: {csv: d.csv, time: t, value: x, begins: 39997}}"

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/import/abaqus/element_sets.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <queue>
 #include <tuple>
 
 namespace slipbench::driver::abaqus {
 namespace {
+
+/// Most ranges around a number: they are looked at one by one for each element with a connector.
+constexpr std::size_t kMostAround = 1000;
 
 /// "PIN" of "ARM-1.PIN".
 std::string own_part(const std::string& label) { return label.substr(label.rfind('.') + 1); }
@@ -73,7 +80,7 @@ void ElementSets::read(const std::string& part, const Block& block) {
       const long last = items.size() > 1 ? deck_.whole(items[1], first) : first;
       const long step = items.size() > 2 ? deck_.whole(items[2], 0) : 1;
       if (step < 1) deck_.error(items[2], block, "wanted a whole number of 1 or more");
-      ranges.push_back({label, first, last, std::max(1L, step)});
+      ranges.push_back({label, first, last, std::max(1L, step), &block});
       continue;
     }
     for (const std::string_view item : items) {
@@ -89,8 +96,8 @@ void ElementSets::read(const std::string& part, const Block& block) {
 }
 
 /// Joins ranges of one set that overlap or touch, and orders all by their first numbers, so that
-/// those around a number are found without a look at the others.
-void ElementSets::put_in_order(std::vector<Range>& ranges) {
+/// those around a number are found without a look at the others. Reports where those are too many.
+void ElementSets::put_in_order(std::vector<Range>& ranges) const {
   std::erase_if(ranges, [](const Range& one) { return one.last < one.first; });
   const auto remainder = [](const Range& one) {
     return (one.first % one.step + one.step) % one.step;
@@ -115,6 +122,18 @@ void ElementSets::put_in_order(std::vector<Range>& ranges) {
   ranges = std::move(joined);
   std::sort(ranges.begin(), ranges.end(),
             [](const Range& a, const Range& b) { return a.first < b.first; });
+  std::priority_queue<long, std::vector<long>, std::greater<>> around;  // ends of them
+  for (const Range& one : ranges) {
+    while (!around.empty() && around.top() < one.first) around.pop();
+    around.push(one.last);
+    if (around.size() <= kMostAround) continue;
+    deck_.error(one.block->where, *one.block,
+                fmt::format("more than {} ranges of element sets lie around {}: state these sets "
+                            "with fewer steps",
+                            kMostAround, one.first));
+    ranges.clear();
+    return;
+  }
   note_furthest(ranges);
 }
 

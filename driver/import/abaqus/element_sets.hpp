@@ -42,6 +42,7 @@ class ElementSets {
   struct Range {
     std::string label;
     long first = 0, last = 0, step = 1;
+    const Block* block = nullptr;  ///< it is stated by
     long furthest = 0;  ///< last number of those around which this one stands in the middle
     bool has(long number) const {
       return number >= first && number <= last && (number - first) % step == 0;
@@ -50,7 +51,7 @@ class ElementSets {
 
   void want(const std::string& label);
   void read(const std::string& part, const Block& block);
-  static void put_in_order(std::vector<Range>& ranges);
+  void put_in_order(std::vector<Range>& ranges) const;
   static long note_furthest(std::span<Range> ranges);
   static void add_around(long number, std::span<const Range> ranges, std::set<std::string>& labels);
   template <class Accepts>
