@@ -170,6 +170,7 @@ class LimitFunction {
   bool is_cubic() const {
     const auto* law = std::get_if<TabularCoefficient>(&definition_.law);
     return law != nullptr && slip_in_rate_ > 0.0 && slip_in_wear_ > 0.0 &&
+           depends_on_accumulated_slip(definition_.internal_contact_force) &&
            law->depends_on_slip_rate() && law->depends_on_contact_force();
   }
 

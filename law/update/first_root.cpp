@@ -50,6 +50,23 @@ double lowest_point(const LimitOf& limit, double kappa, double low, double high)
   return low + 0.5 * (high - low);
 }
 
+/// Finds the slip in [low, high] that parts convex from concave where F_lim is cubic: F_lim' is a
+/// parabola through three of its points, this its vertex. Without one inside, `high`.
+template <class LimitOf>
+double vertex_or_end(const LimitOf& limit, double low, double high) noexcept {
+  const double margin = margin_inside(low, high, limit.begin_slip());
+  const double half = 0.5 * (high - low);
+  const auto slope_at = [&](double x) { return limit.slope(limit(x)); };
+  const double slope_low = slope_at(low + margin);
+  const double slope_high = slope_at(high - margin);
+  const double bend = 0.5 * (slope_low + slope_high) - slope_at(low + half);
+  // Without a bend it is infinite, or no number: in no piece either way.
+  const double vertex = -0.25 * (slope_high - slope_low) / bend;
+  if (!(std::abs(vertex) < 1.0 - 1e-6)) return high;
+  const double slip = low + half + vertex * half;
+  return slip > low ? slip : high;
+}
+
 }  // namespace
 
 template <class LimitOf>
@@ -64,19 +81,15 @@ double first_root(const LimitOf& limit, double trial, double kappa) noexcept {
     low = at_cap;
   }
   const auto slope_at = [&](double x) { return -kappa - limit.slope(limit(x)); };
+  double knot = low;
   while (low < end) {
-    double high = std::min(limit.next_knot(low, end), end);
-    const double margin = margin_inside(low, high, limit.begin_slip());
-    if (limit.is_cubic()) {
-      // h' is a parabola through three of its points; its vertex parts convex from concave.
-      const double half = 0.5 * (high - low);
-      const double slope_low = slope_at(low + margin);
-      const double slope_high = slope_at(high - margin);
-      const double bend = 0.5 * (slope_low + slope_high) - slope_at(low + half);
-      // Without a bend it is infinite, or no number: in no piece either way.
-      const double vertex = -0.25 * (slope_high - slope_low) / bend;
-      if (vertex > -1.0 + 1e-6 && vertex < 1.0 - 1e-6) high = low + half + vertex * half;
+    // Behind a vertex the rest of its piece follows, undivided: a parabola has no second one.
+    double high = knot;
+    if (low >= knot) {
+      knot = std::min(limit.next_knot(low, end), end);
+      high = limit.is_cubic() ? vertex_or_end(limit, low, knot) : knot;
     }
+    const double margin = margin_inside(low, high, limit.begin_slip());
     const double h = trial - kappa * high - limit(high).force;
     if (h < -1e-12 * trial) {  // far above its rounding
       return bracketed_root(limit, trial, kappa, low, high);

@@ -166,6 +166,18 @@ TEST_CASE("of three roots within one piece of a cubic limit the first is found")
     CHECK(first_root(limit, trial, kappa) ==
           Approx(2.0 / 3.0 - std::sqrt(1.0 / 3.0 - kappa)).epsilon(1e-12));
   }
+  // A stiffness of which the double is infinite, with a limit lost in its rounding.
+  CHECK(first_root(limit, 5e307, 1e308) == 0.5);
+}
+
+TEST_CASE("a limit is cubic only where the contact force changes with the slip") {
+  FrictionDefinition definition = wearing(TabularCoefficient{
+      make_function({{0.1, 0.0, 0.0}, {0.06, 100.0, 0.0}, {0.08, 0.0, 1e3}, {0.05, 100.0, 1e3}},
+                    {kOverSlipRate, kOverContactForce})});
+  const ConnectorIncrement increment = lasting(0.01);
+  CHECK(LimitFunction(definition, increment, {}, 0.0).is_cubic());
+  definition.internal_contact_force = 12.0;
+  CHECK_FALSE(LimitFunction(definition, increment, {}, 0.0).is_cubic());
 }
 
 /// A belt over `wrap_angle` whose coefficient sees the slip rate.
