@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # nightly.sh [PART..]: all that takes too long for every change, one part after the other, or those named. All are tried, whatever
 # one of them finds; the last lines say which found something. Exit: 0 nothing found, 1 something, 2 a wrong argument.
-#   sanitizers  all tests under the address and undefined-behaviour sanitizers but those of Python     1 h
+#   sanitizers  all tests under the address and undefined-behaviour sanitizers, the Python module too     1 h 30 min
 #   threads     what runs in parallel, the Python module too, under the thread sanitizer             35 min
 #   memory      reads of memory that was never written, by valgrind, in a dozen cases               3 min
 #   difference  the law in double against itself in long double, over a million increments             5 min
@@ -22,7 +22,12 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 # The build of fuzz.sh serves.
-sanitizers() { SLIPBENCH_PRESET=fuzz scripts/test.sh; }
+sanitizers() {
+  SLIPBENCH_PRESET=fuzz scripts/test.sh
+  configure asan-ubsan
+  build asan-ubsan --target slipbench_python slipbench
+  ctest --preset asan-ubsan --no-label-summary -R '^python/'
+}
 
 threads() {
   configure tsan
