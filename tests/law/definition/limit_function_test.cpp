@@ -2,6 +2,7 @@
 // Limits as functions of the slip of an increment: where they bend, and what that finds.
 #include "law/definition/limit_function.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -168,6 +169,39 @@ TEST_CASE("of three roots within one piece of a cubic limit the first is found")
   }
   // A stiffness of which the double is infinite, with a limit lost in its rounding.
   CHECK(first_root(limit, 5e307, 1e308) == 0.5);
+}
+
+TEST_CASE("the first root of a limit of cubic pieces is that of a fine scan") {
+  constexpr int kPoints = 4000;
+  const ConnectorIncrement increment = lasting(1.0);
+  int within = 0;
+  for (int i = 0; i < 300; ++i) {
+    INFO("case " << i);
+    const auto mu = [&](int k) { return 0.5 + 0.5 * std::sin(1.7 * i + 2.3 * k * (i % 7 + 1)); };
+    FrictionDefinition definition =
+        wearing(TabularCoefficient{make_function({{mu(1), 0.0, 0.0},
+                                                  {mu(2), 0.8, 0.0},
+                                                  {mu(3), 2.0, 0.0},
+                                                  {mu(4), 0.0, 2.0},
+                                                  {mu(5), 0.8, 2.0},
+                                                  {mu(6), 2.0, 2.0}},
+                                                 {kOverSlipRate, kOverContactForce})});
+    const LimitFunction limit(definition, increment, {}, 0.0);
+    const double kappa = 0.05 + 0.1 * (i % 5);
+    const double trial = limit(0.0).force + 0.01 + 0.05 * (i % 9);
+    const double end = std::min(trial / kappa, 2.0);
+    double scan = end;
+    for (int k = 1; k <= kPoints && scan == end; ++k) {
+      const double x = end * k / kPoints;
+      if (trial - kappa * x - limit(x).force < 0.0) scan = x;
+    }
+    if (scan == end) continue;
+    ++within;
+    // Between two points of the scan.
+    CHECK(first_root(limit, trial, kappa) ==
+          Approx(scan - 0.5 * end / kPoints).margin(0.51 * end / kPoints));
+  }
+  CHECK(within > 100);
 }
 
 TEST_CASE("a limit is cubic only where the contact force changes with the slip") {
