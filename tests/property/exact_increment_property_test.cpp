@@ -216,10 +216,9 @@ TEST_CASE("random increments of any size end alike as a whole, and in long and s
     }
   }
   // A limit that drops at the begin of an increment 1e14 times as long as its viscosity needs, and
-  // corners that continuous_update does not meet, and what it gives up: 6 in 30,000. Three come
-  // together in one night of a thousand.
+  // corners that continuous_update does not meet, and what it gives up: 6 in 30,000.
   INFO(which.str());
-  CHECK(apart <= 2);
+  CHECK(apart <= 1);
 }
 
 TEST_CASE("an increment that cannot be followed to its end is told not to be, within seconds") {
